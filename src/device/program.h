@@ -1,0 +1,29 @@
+#pragma once
+#include "device/context.h"
+#include <string>
+
+namespace nacre::device {
+
+/// What a program is compiled for. Becomes -D options; equal variants share a cache entry.
+struct Variant {
+    std::string entry = "render.cl"; // file under kernels/
+    std::uint32_t features = 0;      // mask of shared::Feature compiled in
+    bool generic = false;            // everything compiled in, Frame.features decides at run time
+    std::uint32_t bvh_stack = 64;    // entries of the traversal stack
+    int lanes = 1;                   // walks side by side in one work-item
+    std::string extra;               // further options, for probes
+};
+
+/// Compiler options of a variant on a device. Always OpenCL C 1.2, never finite-math-only.
+std::string options(const Device &device, const Variant &variant);
+
+struct Program {
+    cl::Program program;
+    double seconds = 0; // to build or load
+    bool cached = false;
+};
+
+/// Builds `variant`, or loads it from the binary cache. Throws Error{Exit::device} with the build log.
+Program build(const Device &device, const Variant &variant);
+
+} // namespace nacre::device

@@ -1,0 +1,19 @@
+#pragma once
+#include "scene/scene.h"
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nacre::io {
+
+/// One `--set path=value`: "render.spp" "16", "materials.skin.subsurface_radius" "0.1", "objects.0.material" "\"wax\"".
+struct Override {
+    std::string path, value;
+};
+
+/// Reads any scene nacre knows: nacre JSON, glTF (.gltf, .glb), a bare mesh (.obj, .ply; default camera, light and skin).
+/// Files named by it are looked for beside it, then in the folders of NACRE_ASSETS (a ':' separated list).
+/// Throws Error{Exit::input}. `Scene::warnings` names what was read but not used.
+scene::Scene load_scene(const std::filesystem::path &file, const std::vector<Override> &overrides = {});
+
+} // namespace nacre::io
