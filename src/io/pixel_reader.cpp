@@ -32,8 +32,13 @@ PixelReader::PixelReader(const std::string &file) : name(file) {
 PixelReader::PixelReader(std::span<const unsigned char> bytes, const std::string &name)
     : name(name), memory(std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size())) {
     const OIIO::ImageSpec options = open_options();
-    // A name without an extension: OpenImageIO then asks every format whether the bytes are its own.
-    input = OIIO::ImageInput::open("picture", &options, memory.get());
+    // Not `open`, which in 2.4 forgets the bytes after it has found out by them which format they are.
+    input = OIIO::ImageInput::create("picture", false, &options, memory.get());
+    OIIO::ImageSpec found;
+    if (input && input->set_ioproxy(memory.get()) && !input->open("picture", found, options)) {
+        input_error(name, "cannot be read as a picture ({}): check that it is whole, or convert it to PNG or EXR",
+                    first_line(input->geterror()));
+    }
     check();
 }
 
