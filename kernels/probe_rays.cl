@@ -1,0 +1,41 @@
+// Entry points that trace given rays, for the tests and benchmarks of geometry/.
+#include "geometry/ray.h"
+#include "geometry/traverse.h"
+
+#ifndef RAYS_PER_ITEM
+#define RAYS_PER_ITEM 1
+#endif
+#ifndef WORK_GROUP
+#define WORK_GROUP 1
+#endif
+
+// rays: origin and t_max, direction and t_min.
+Ray load_ray(global const float4 *rays, uint index) {
+    const float4 a = rays[2u * index], b = rays[2u * index + 1u];
+    Ray ray;
+    ray.origin = a.xyz;
+    ray.t_max = a.w;
+    ray.direction = b.xyz;
+    ray.t_min = b.w;
+    return ray;
+}
+
+// hits: t, primitive, block, slot.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void
+probe_closest(global const float4 *rays, global uint4 *hits, global const float *nodes, global const float *blocks,
+              uint root, uint count) {
+    const uint begin = get_global_id(0) * RAYS_PER_ITEM;
+    for (uint i = begin; i < min(begin + RAYS_PER_ITEM, count); i++) {
+        const Hit hit = trace_closest(load_ray(rays, i), nodes, blocks, root);
+        hits[i] = (uint4)(as_uint(hit.t), hit.primitive, hit.block, hit.slot);
+    }
+}
+
+// hits: 1 where something is in the way.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void
+probe_any(global const float4 *rays, global uint *hits, global const float *nodes, global const float *blocks, uint root,
+          uint count) {
+    const uint begin = get_global_id(0) * RAYS_PER_ITEM;
+    for (uint i = begin; i < min(begin + RAYS_PER_ITEM, count); i++)
+        hits[i] = (uint)trace_any(load_ray(rays, i), nodes, blocks, root);
+}

@@ -1,0 +1,20 @@
+#pragma once
+#include "accel/bvh.h"
+#include <Eigen/Geometry>
+
+namespace nacre::accel {
+
+/// A node of the binary tree that Embree builds. Leaves hold exactly one triangle.
+struct BinaryNode {
+    Eigen::AlignedBox3f bounds;
+    std::uint32_t count = 0;    // triangles below
+    std::uint32_t child[2]{};   // indices, greater than the node's own
+    std::uint32_t triangle = 0; // of a leaf (count 1): index in the span
+    bool leaf() const { return count == 1; }
+};
+
+/// Parents come before their children, node 0 is the root: decreasing index is bottom-up. Triangles that are not finite
+/// are left out; no triangle at all gives no node. Throws Error{Exit::failed} when Embree fails.
+std::vector<BinaryNode> build_binary_tree(std::span<const Triangle> triangles);
+
+} // namespace nacre::accel

@@ -1,0 +1,134 @@
+#include "accel/binary_tree.h"
+#include "base/error.h"
+#include <embree3/rtcore.h>
+#include <memory>
+#include <type_traits>
+
+namespace nacre::accel {
+namespace {
+
+template <auto release> struct Releaser {
+    template <typename T> void operator()(T *handle) const { release(handle); }
+};
+using DeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Releaser<rtcReleaseDevice>>;
+using TreeHandle = std::unique_ptr<std::remove_pointer_t<RTCBVH>, Releaser<rtcReleaseBVH>>;
+
+/// What the callbacks make of the tree, in Embree's own memory. A leaf is made without the part that only nodes need.
+struct Item {
+    Item *child[2];     // null in a leaf
+    unsigned primitive; // of a leaf
+};
+struct Node : Item {
+    RTCBounds bounds[2]; // of the children
+};
+
+void *create_node(RTCThreadLocalAllocator allocator, unsigned, void *) {
+    return new (rtcThreadLocalAlloc(allocator, sizeof(Node), alignof(Node))) Node{};
+}
+
+void *create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive *primitives, std::size_t, void *) {
+    return new (rtcThreadLocalAlloc(allocator, sizeof(Item), 16)) Item{{nullptr, nullptr}, primitives[0].primID};
+}
+
+void set_children(void *node, void **children, unsigned count, void *) {
+    for (unsigned i = 0; i < count; i++) static_cast<Node *>(node)->child[i] = static_cast<Item *>(children[i]);
+}
+
+void set_bounds(void *node, const RTCBounds **bounds, unsigned count, void *) {
+    for (unsigned i = 0; i < count; i++) static_cast<Node *>(node)->bounds[i] = *bounds[i];
+}
+
+Eigen::AlignedBox3f box(const RTCBounds &b) {
+    return {Vec3f(b.lower_x, b.lower_y, b.lower_z), Vec3f(b.upper_x, b.upper_y, b.upper_z)};
+}
+
+std::vector<RTCBuildPrimitive> primitives_of(std::span<const Triangle> triangles) {
+    std::vector<RTCBuildPrimitive> primitives;
+    primitives.reserve(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); i++) {
+        const auto &v = triangles[i].v;
+        if (!v[0].allFinite() || !v[1].allFinite() || !v[2].allFinite()) continue;
+        const Vec3f lower = v[0].cwiseMin(v[1]).cwiseMin(v[2]), upper = v[0].cwiseMax(v[1]).cwiseMax(v[2]);
+        primitives.push_back(
+            {lower.x(), lower.y(), lower.z(), 0, upper.x(), upper.y(), upper.z(), static_cast<unsigned>(i)});
+    }
+    return primitives;
+}
+
+/// Parents first; with a stack of its own, as nothing but Embree's depth limit bounds the tree's depth.
+std::vector<BinaryNode> copy_out(const Item *root, const Eigen::AlignedBox3f &root_bounds, std::size_t triangles) {
+    struct Pending {
+        const Item *item;
+        std::uint32_t parent;
+        int side;
+        Eigen::AlignedBox3f bounds;
+    };
+    std::vector<BinaryNode> nodes;
+    nodes.reserve(2 * triangles - 1);
+    std::vector<Pending> stack{{root, 0, -1, root_bounds}};
+    while (!stack.empty()) {
+        const Pending next = stack.back();
+        stack.pop_back();
+        const auto index = static_cast<std::uint32_t>(nodes.size());
+        auto &node = nodes.emplace_back();
+        node.bounds = next.bounds;
+        if (next.side >= 0) nodes[next.parent].child[next.side] = index;
+        if (!next.item->child[0]) {
+            node.count = 1;
+            node.triangle = next.item->primitive;
+            continue;
+        }
+        const auto &built = static_cast<const Node &>(*next.item);
+        for (int side = 1; side >= 0; side--)
+            stack.push_back({built.child[side], index, side, box(built.bounds[side])});
+    }
+    for (std::size_t i = nodes.size(); i-- > 0;)
+        if (!nodes[i].leaf()) nodes[i].count = nodes[nodes[i].child[0]].count + nodes[nodes[i].child[1]].count;
+    return nodes;
+}
+
+} // namespace
+
+std::vector<BinaryNode> build_binary_tree(std::span<const Triangle> triangles) {
+    std::vector<RTCBuildPrimitive> primitives = primitives_of(triangles);
+    if (primitives.empty()) return {};
+    Eigen::AlignedBox3f bounds;
+    for (const auto &p : primitives)
+        bounds.extend(Vec3f(p.lower_x, p.lower_y, p.lower_z)).extend(Vec3f(p.upper_x, p.upper_y, p.upper_z));
+
+    const DeviceHandle device(rtcNewDevice(nullptr)); // all cores
+    if (!device)
+        throw Error(Exit::failed, "BVH",
+                    fmt::format("Embree gives no device (error {})", int(rtcGetDeviceError(nullptr))));
+    std::string message;
+    rtcSetDeviceErrorFunction(
+        device.get(), [](void *text, RTCError, const char *what) { *static_cast<std::string *>(text) = what; },
+        &message);
+    const TreeHandle tree(rtcNewBVH(device.get()));
+
+    // Leaves of one triangle and no idea of wide nodes: the collapse decides both, at its own costs.
+    RTCBuildArguments arguments = rtcDefaultBuildArguments();
+    arguments.byteSize = sizeof(arguments);
+    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+    arguments.maxBranchingFactor = 2;
+    arguments.maxDepth = 256; // more than binning floats can reach; Embree fails where a mesh would need more
+    arguments.sahBlockSize = 1;
+    arguments.minLeafSize = 1;
+    arguments.maxLeafSize = 1;
+    arguments.bvh = tree.get();
+    arguments.primitives = primitives.data();
+    arguments.primitiveCount = primitives.size();
+    arguments.primitiveArrayCapacity = primitives.size();
+    arguments.createNode = create_node;
+    arguments.setNodeChildren = set_children;
+    arguments.setNodeBounds = set_bounds;
+    arguments.createLeaf = create_leaf;
+    const auto *root = static_cast<const Item *>(rtcBuildBVH(&arguments));
+    if (!root)
+        throw Error(Exit::failed, "BVH",
+                    fmt::format("Embree cannot build a tree over {} triangles: {} (error {})", primitives.size(),
+                                message, int(rtcGetDeviceError(device.get()))));
+    return copy_out(root, bounds, primitives.size());
+}
+
+} // namespace nacre::accel
