@@ -38,7 +38,7 @@ enum Entry { ENTRY_LAMBERT, ENTRY_UNIFORM };
 enum LightKind { LIGHT_ENVIRONMENT, LIGHT_ENVIRONMENT_IMAGE, LIGHT_RECT, LIGHT_TRIANGLE, LIGHT_POINT, LIGHT_DIRECTIONAL };
 enum CameraKind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
 
-#ifdef __OPENCL_VERSION__
+#ifdef __OPENCL_C_VERSION__
 typedef struct Camera Camera;
 typedef struct Material Material;
 typedef struct Texture Texture;
@@ -65,7 +65,8 @@ struct Material {
     int inversion;                 // Inversion; none: subsurface_color holds the single-scattering albedo
     int entry;                     // Entry
     uint max_depth;                // scatters a walk may have, 0: no cap
-    float pad[2];
+    float radius_scale;            // of a texture of radii, to the kernels' units (value[] has it already)
+    float pad;
 };
 
 // RGBA or one channel, half floats, linear, row 0 at v = 1 (the top of the picture).
@@ -83,6 +84,8 @@ struct Object {
     uint walk_root;   // root of the BVH that holds this object alone (for walks)
     uint first_light; // Light of its first triangle where the material emits, else NO_LIGHT
     uint first_primitive;
+    uint closed; // every edge has two triangles: a walk can only leave through the surface
+    uint pad[3];
 };
 
 // One surface that emits, an environment, or a point. Sampled with `probability`, a share of the total power.
@@ -94,7 +97,7 @@ struct Light {
     int kind;          // LightKind
     uint primitive;    // triangle: primitive id
     int visible;       // the camera sees it
-    uint first_texel;  // environment image: first entry of its alias table and of its texels
+    uint first_texel;  // environment image: first entry of its alias table and of its texels (rgb, share of the light)
     uint width, height;
     float probability;
     float pad;
@@ -119,7 +122,8 @@ struct Frame {
     uint max_depth;           // surface hits, 0: no limit
     int channel_sampling;     // ChannelSampling
     float scene_radius;       // of a sphere about the origin that holds the scene
-    uint pad[3];
+    float emission_scale;     // emission of materials -> units of the film
+    uint pad;
 };
 
 SHARED_END

@@ -3,7 +3,7 @@
 #ifndef NACRE_SHARED_TYPES_H
 #define NACRE_SHARED_TYPES_H
 
-#ifdef __OPENCL_VERSION__
+#ifdef __OPENCL_C_VERSION__
 #define SHARED_BEGIN
 #define SHARED_END
 #else

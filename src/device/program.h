@@ -19,6 +19,7 @@ std::string options(const Device &device, const Variant &variant);
 
 struct Program {
     cl::Program program;
+    std::string hash;   // of source, options, device and driver: the same text, the same program
     double seconds = 0; // to build or load
     bool cached = false;
 };

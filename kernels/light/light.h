@@ -1,0 +1,149 @@
+// Lights as a whole: draw one by its share of the power and a point on it; how dense that draw is for a direction that the
+// BSDF found; what a ray meets. An environment of constant radiance is never drawn: the BSDF's own directions serve it best.
+#ifndef NACRE_LIGHT_LIGHT_H
+#define NACRE_LIGHT_LIGHT_H
+
+#include "bsdf/material.h"
+#include "light/environment.h"
+#include "random/sampler.h"
+
+typedef struct {
+    float3 direction; // unit, from the point that is lit
+    float distance;   // MAXFLOAT: far away
+    float3 radiance;  // divided by the density of the draw; point and directional: their irradiance facing the light
+    float density;    // per steradian, 0: a single direction (no other way to find it)
+} LightSample;
+
+// Balance heuristic of two ways to find a direction.
+float light_weight(float mine, float other) { return mine / (mine + other); }
+
+// Density per steradian of drawing the point at `distance` on a flat light.
+float light_area_density(global const Light *light, float distance, float cosine) {
+    return light->probability * distance * distance / (light->normal.w * cosine);
+}
+
+float3 light_emission(const Scene *scene, uint object, float2 uv) {
+    global const Material *material = scene->materials + scene->objects[object].material;
+    return material_color(scene, material, PARAMETER_emission_color, uv) *
+           (material_number(scene, material, PARAMETER_emission_luminance, uv) * scene->frame->emission_scale);
+}
+
+bool light_sample_flat(const Scene *scene, global const Light *light, float2 xi, float3 position, LightSample *sample) {
+    float a = xi.x, b = xi.y;
+    const bool triangle = light->kind == LIGHT_TRIANGLE;
+    if (triangle) { // uniform on the triangle
+        const float root = sqrt(xi.x);
+        a = 1.0f - root;
+        b = root * xi.y;
+    }
+    const float3 to = light->position.xyz + a * light->u.xyz + b * light->v.xyz - position;
+    sample->distance = length(to);
+    sample->direction = to * (1.0f / sample->distance);
+    const float cosine = -dot(sample->direction, light->normal.xyz);
+    if (!(cosine > 0.0f && sample->distance > 0.0f)) return false;
+    sample->density = light_area_density(light, sample->distance, cosine);
+    sample->radiance = light->radiance.xyz;
+    if (triangle) {
+        float2 uv = (float2)(0.0f);
+        const uint4 corner = scene->triangles[light->primitive];
+        if (HAS(TEXTURES))
+            uv = (1.0f - a - b) * vload2(corner.x, scene->uvs) + a * vload2(corner.y, scene->uvs) +
+                 b * vload2(corner.z, scene->uvs);
+        sample->radiance = light_emission(scene, corner.w, uv);
+    }
+    sample->radiance *= 1.0f / sample->density;
+    return true;
+}
+
+// Draws a light and a direction to it as seen from `position`. False: it does not light that point.
+bool light_sample(const Scene *scene, Sampler sampler, float3 position, LightSample *sample) {
+    const uint count = scene->frame->light_count;
+    const uint2 choice = draw_words(sampler, DRAW_LIGHT);
+    const float2 xi = draw_pair(sampler, DRAW_LIGHT_POINT);
+    const uint slot = mul_hi(choice.x, count);
+    const AliasEntry entry = scene->light_table[slot];
+    global const Light *light = scene->lights + (random_unit(choice.y) < entry.threshold ? slot : entry.other);
+    const float probability = light->probability;
+    if (!(probability > 0.0f)) return false;
+    if (HAS(ENVIRONMENT_IMAGE) && light->kind == LIGHT_ENVIRONMENT_IMAGE) {
+        sample->distance = MAXFLOAT;
+        sample->direction = environment_sample(scene, light, draw_words(sampler, DRAW_TEXEL), xi, &sample->radiance,
+                                               &sample->density);
+        sample->density *= probability;
+        if (!(sample->density > 0.0f)) return false;
+        sample->radiance *= 1.0f / sample->density;
+        return true;
+    }
+    if (HAS(DELTA_LIGHT) && light->kind == LIGHT_DIRECTIONAL) {
+        sample->distance = MAXFLOAT;
+        sample->direction = light->u.xyz;
+        sample->radiance = light->radiance.xyz * (1.0f / probability);
+        sample->density = 0.0f;
+        return true;
+    }
+    if (HAS(DELTA_LIGHT) && light->kind == LIGHT_POINT) {
+        const float3 to = light->position.xyz - position;
+        const float distance2 = dot(to, to);
+        if (!(distance2 > 0.0f)) return false;
+        sample->distance = sqrt(distance2);
+        sample->direction = to * (1.0f / sample->distance);
+        sample->radiance = light->radiance.xyz * (1.0f / (distance2 * probability));
+        sample->density = 0.0f;
+        return true;
+    }
+    if (HAS(RECT) || HAS(EMISSION)) return light_sample_flat(scene, light, xi, position, sample);
+    return false;
+}
+
+// What a ray that leaves the scene finds. `density`: of the BSDF that chose its direction, < 0: lights were not sampled
+// there, so this is the only way (the camera's rays: then `camera` asks for what it may see).
+float3 light_of_sky(const Scene *scene, float3 direction, float density, bool camera) {
+    float3 sum = (float3)(0.0f);
+    if (!(HAS(ENVIRONMENT) || HAS(ENVIRONMENT_IMAGE))) return sum;
+    for (uint i = 0; i < scene->frame->environment_count; ++i) {
+        global const Light *light = scene->lights + scene->frame->environment_first + i;
+        if (camera && !light->visible) continue;
+        if (HAS(ENVIRONMENT_IMAGE) && light->kind == LIGHT_ENVIRONMENT_IMAGE) {
+            const float2 at = environment_coordinates(light, direction);
+            const float drawn = density < 0.0f ? 0.0f : light->probability * environment_density(scene, light, at);
+            sum += environment_image(scene, light, at) * (density < 0.0f ? 1.0f : light_weight(density, drawn));
+        } else {
+            sum += light->radiance.xyz;
+        }
+    }
+    return sum;
+}
+
+// Rects on the way, up to t_max. They emit to one side and block nothing.
+float3 light_of_rects(const Scene *scene, float3 origin, float3 direction, float t_max, float density, bool camera) {
+    float3 sum = (float3)(0.0f);
+    if (!HAS(RECT)) return sum;
+    for (uint i = 0; i < scene->frame->rect_count; ++i) {
+        global const Light *light = scene->lights + scene->frame->rect_first + i;
+        const float cosine = -dot(direction, light->normal.xyz);
+        if ((camera && !light->visible) || !(cosine > 0.0f)) continue;
+        const float3 from = origin - light->position.xyz;
+        const float t = dot(from, light->normal.xyz) / cosine;
+        if (!(t > 0.0f && t < t_max)) continue;
+        const float3 at = from + t * direction, u = light->u.xyz, v = light->v.xyz;
+        const float uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), au = dot(at, u), av = dot(at, v);
+        const float inverse = 1.0f / (uu * vv - uv * uv);
+        const float a = (au * vv - av * uv) * inverse, b = (av * uu - au * uv) * inverse;
+        if (!(a >= 0.0f && a <= 1.0f && b >= 0.0f && b <= 1.0f)) continue;
+        sum += light->radiance.xyz * (density < 0.0f ? 1.0f : light_weight(density, light_area_density(light, t, cosine)));
+    }
+    return sum;
+}
+
+// Light of an emitting triangle that a ray hit from its counter-clockwise side, after `distance`.
+float3 light_of_surface(const Scene *scene, uint primitive, uint object, float2 uv, float distance, float cosine,
+                        float density) {
+    const uint first = scene->objects[object].first_light;
+    if (first == NO_LIGHT || !(cosine > 0.0f)) return (float3)(0.0f);
+    const float3 emission = light_emission(scene, object, uv);
+    if (density < 0.0f) return emission;
+    global const Light *light = scene->lights + first + (primitive - scene->objects[object].first_primitive);
+    return emission * light_weight(density, light_area_density(light, distance, cosine));
+}
+
+#endif

@@ -1,0 +1,204 @@
+// The whole path: camera, surfaces, walks, lights.
+#ifndef NACRE_PATH_PATH_H
+#define NACRE_PATH_PATH_H
+
+#include "camera/camera.h"
+#include "path/walk.h"
+
+// Paths past this many surface hits play Russian roulette with their largest throughput.
+#ifndef PATH_ROULETTE_START
+#define PATH_ROULETTE_START 3u
+#endif
+
+// Steps that a ray and its shading cost in the budget of a launch, against one flight of a walk.
+#define PATH_RAY_COST 8u
+
+// Which pixel of the whole image is at `index` of the tile order; false: beyond the crop's edge.
+bool pixel_at(const Scene *scene, uint index, uint *x, uint *y) {
+    global const Frame *frame = scene->frame;
+    const uint columns = (frame->crop_width + TILE - 1u) / TILE, tile = index / (TILE * TILE), at = index % (TILE * TILE);
+    const uint cx = (tile % columns) * TILE + at % TILE, cy = (tile / columns) * TILE + at / TILE;
+    *x = frame->crop_x + cx;
+    *y = frame->crop_y + cy;
+    return cx < frame->crop_width && cy < frame->crop_height;
+}
+
+Path path_begin(const Scene *scene, uint x, uint y, uint sample, uint slot) {
+    Path path;
+    path.slot = slot;
+    path.pixel = y * scene->frame->width + x;
+    path.sample = sample;
+    path.vertex = path.hits = 0u;
+    path.state = PATH_RAY;
+    path.throughput = (float4)(1.0f);
+    path.radiance = (float4)(0.0f);
+    path.weight = (float4)(0.0f);
+    path.share = (float4)(0.0f);
+    path.sigma = (float4)(0.0f);
+    path.albedo = (float4)(0.0f);
+    path.anisotropy = path.bleed = path.first_number = 0.0f;
+    path.object = path.flight = path.max_depth = path.channel = path.steps = path.depth = 0u;
+    path.pad = 0u;
+    const Sampler sampler = sampler_of(scene->frame->seed, path.pixel, sample, 0u);
+    const float2 lens = HAS(LENS) ? draw_pair(sampler, DRAW_LENS) : (float2)(0.0f);
+    float3 origin, direction;
+    camera_ray(scene, x, y, draw_pair(sampler, DRAW_PIXEL), lens, &origin, &direction);
+    path.position = (float4)(origin, 0.0f);
+    path.direction = (float4)(direction, -1.0f);
+    return path;
+}
+
+// Layers of the first surface: its colour (of the medium where there is one), distance, normal.
+void path_describe(const Scene *scene, global const Material *material, const Surface *surface, float distance,
+                   global float4 *layers) {
+    const float subsurface =
+        HAS(SUBSURFACE) ? material_number(scene, material, PARAMETER_subsurface_weight, surface->uv) : 0.0f;
+    const float3 color = mix(material_color(scene, material, PARAMETER_base_color, surface->uv),
+                             material_color(scene, material, PARAMETER_subsurface_color, surface->uv), subsurface);
+    layers[0] = (float4)(color, distance);
+    layers[1] = (float4)(surface->shading, 0.0f);
+}
+
+// The reflecting layer of a material at a point. False: it has none.
+bool specular_at(const Scene *scene, global const Material *material, const Surface *surface, float3 view,
+                 Specular *specular) {
+    const float2 uv = surface->uv;
+    const float weight = material_number(scene, material, PARAMETER_specular_weight, uv);
+    specular->metalness = material_number(scene, material, PARAMETER_base_metalness, uv);
+    if (weight <= 0.0f && specular->metalness <= 0.0f) return false;
+    specular->alpha = microfacet_alpha(material_number(scene, material, PARAMETER_specular_roughness, uv));
+    specular->eta = weighted_ior(material_number(scene, material, PARAMETER_specular_ior, uv), weight);
+    specular->metal = material_color(scene, material, PARAMETER_base_color, uv);
+    specular->geometric = surface->geometric;
+    specular->normal = seen_normal(surface->shading, view);
+    float3 t, b;
+    basis(specular->normal, &t, &b);
+    specular->view = (float3)(dot(view, t), dot(view, b), dot(view, specular->normal));
+    return true;
+}
+
+// Reflects the path, or lets it through to the base with what is left for that. xi in (0, 1) decides.
+bool path_reflect(Path *path, const Specular *specular, float2 xi_microfacet, float xi) {
+    float3 direction;
+    float base;
+    const float3 r = specular_sample(specular, xi_microfacet, &direction, &base);
+    const float chance = specular_chance(r);
+    if (xi >= chance) {
+        path->throughput.xyz *= base / (1.0f - chance);
+        return false;
+    }
+    path->throughput.xyz *= r * (1.0f / chance);
+    path->direction = (float4)(direction, specular_density(specular_eval(specular, direction)));
+    return true;
+}
+
+// Draws what happens at a surface: reflection, diffuse scattering, or entry; and adds its direct light.
+void path_scatter(const Scene *scene, Path *path, global const Material *material, const Surface *surface, float3 view,
+                  Counts *counts) {
+    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+    const float2 lobe = draw_pair(sampler, DRAW_LOBE);
+    LightSample sample;
+    const bool lit = (HAS(SPECULAR) || HAS(DIFFUSE)) && scene_samples_lights(scene) &&
+                     light_sample(scene, sampler, surface->position, &sample) &&
+                     dot(sample.direction, surface->geometric) > 0.0f;
+    float3 direct = (float3)(0.0f);
+    bool reflected = false;
+    Specular specular;
+    if (HAS(SPECULAR) && specular_at(scene, material, surface, view, &specular)) {
+        if (lit) {
+            const float3 r = specular_eval(&specular, sample.direction);
+            direct += path->throughput.xyz * r * light_share(&sample, specular_density(r));
+        }
+        reflected = path_reflect(path, &specular, draw_pair(sampler, DRAW_MICROFACET), lobe.x);
+    }
+    if (!reflected) {
+        const float subsurface =
+            HAS(SUBSURFACE) ? material_number(scene, material, PARAMETER_subsurface_weight, surface->uv) : 0.0f;
+        if (HAS(SUBSURFACE) && lobe.y < subsurface) {
+            path_enter(scene, path, sampler, surface, counts);
+        } else {
+            path->throughput.xyz *= material_color(scene, material, PARAMETER_base_color, surface->uv);
+            path->direction.xyz = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), surface->shading, surface->geometric);
+            path->direction.w = lambert_pdf(path->direction.xyz, surface->shading, surface->geometric);
+            if (lit) {
+                const float pdf = lambert_pdf(sample.direction, surface->shading, surface->geometric);
+                direct += path->throughput.xyz * pdf * light_share(&sample, pdf);
+            }
+        }
+    }
+    if (lit && largest3(direct) > 0.0f &&
+        light_seen(scene, surface->position, surface->error, surface->geometric, &sample, counts))
+        path->radiance.xyz += direct * sample.radiance;
+    path->vertex += 1u;
+    if (path->state == PATH_RAY)
+        path->position.xyz = offset_point(surface->position, surface->error, surface->geometric, path->direction.xyz);
+}
+
+// Ends paths of little throughput, without bias.
+void path_roulette(const Scene *scene, Path *path, Counts *counts) {
+    const float heaviest = largest3(path->throughput.xyz);
+    if (path->hits < PATH_ROULETTE_START && heaviest > 0.0f) return;
+    if (heaviest >= 1.0f) return;
+    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+    if (draw_pair(sampler, DRAW_ROULETTE).x >= heaviest) {
+        path_lose(path, counts, COUNTER_roulette);
+        return;
+    }
+    path->throughput.xyz *= 1.0f / heaviest;
+}
+
+// One ray and what it meets. `layers`: two float4 of the first surface.
+void path_ray(const Scene *scene, Path *path, Counts *counts, global float4 *layers) {
+    Ray ray;
+    ray.origin = path->position.xyz;
+    ray.direction = path->direction.xyz;
+    ray.t_min = 0.0f;
+    ray.t_max = MAXFLOAT;
+    const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, scene->frame->bvh_root);
+    counts->value[COUNTER_rays] += 1u;
+    const bool camera = path->hits == 0u, missed = hit.primitive == BVH_NO_PRIMITIVE;
+    const float density = path->direction.w;
+    float3 light = light_of_rects(scene, ray.origin, ray.direction, missed ? MAXFLOAT : hit.t, density, camera);
+    if (missed) {
+        light += light_of_sky(scene, ray.direction, density, camera);
+        path->radiance.xyz += path->throughput.xyz * light;
+        path->state = PATH_DONE;
+        return;
+    }
+    Surface surface = surface_at(scene, ray, hit);
+    if (HAS(EMISSION))
+        light += light_of_surface(scene, surface.primitive, surface.object, surface.uv, hit.t,
+                                  -dot(ray.direction, surface.geometric), density);
+    path->radiance.xyz += path->throughput.xyz * light;
+    if (dot(ray.direction, surface.geometric) > 0.0f) { // both sides look alike: normals face the viewer
+        surface.geometric = -surface.geometric;
+        surface.shading = -surface.shading;
+    }
+    global const Material *material = scene->materials + scene->objects[surface.object].material;
+    if (camera) {
+        path->radiance.w = 1.0f;
+        if (HAS(SURFACE_AOV)) path_describe(scene, material, &surface, hit.t, layers);
+    }
+    if (scene->frame->max_depth != 0u && path->hits >= scene->frame->max_depth) {
+        path->state = PATH_DONE;
+        return;
+    }
+    path->hits += 1u;
+    path_scatter(scene, path, material, &surface, -ray.direction, counts);
+    path_roulette(scene, path, counts);
+}
+
+// Goes on until the path is done or has used up its budget.
+void path_advance(const Scene *scene, Path *path, uint budget, Counts *counts, global float4 *layers) {
+    uint used = 0u;
+    while (path->state != PATH_DONE && used < budget) {
+        if (path->state == PATH_RAY) {
+            path_ray(scene, path, counts, layers);
+            used += PATH_RAY_COST;
+        } else {
+            used += path_walk(scene, path, budget - used, counts);
+        }
+    }
+}
+
+#endif

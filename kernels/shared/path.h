@@ -1,0 +1,61 @@
+// A path on its way, as it is kept between launches, and what a launch is asked to do.
+#ifndef NACRE_SHARED_PATH_H
+#define NACRE_SHARED_PATH_H
+
+#include "shared/types.h"
+
+SHARED_BEGIN
+
+enum PathState { PATH_RAY, PATH_WALK, PATH_DONE };
+
+struct Path {
+    float4 position;   // start of the next ray or flight
+    float4 direction;  // of it; w: density with which the BSDF chose it, < 0: lights were not sampled for it
+    float4 throughput;
+    float4 radiance;   // so far; w: alpha
+    float4 weight;     // walk: W_c, throughput of each channel since the entry
+    float4 share;      // walk: P_c, probability of each channel as the one that draws the flight
+    float4 sigma;      // walk: extinction per channel
+    float4 albedo;     // walk: single-scattering albedo per channel
+    float anisotropy, bleed;
+    float first_number; // walk: the random number of its first flight
+    uint slot;         // of the batch: where its radiance goes
+    uint pixel, sample;
+    uint vertex;       // events so far that draw numbers: hits, entries, exits
+    uint state;        // PathState
+    uint object, flight, max_depth, channel; // walk
+    uint steps, depth; // walk: scatters so far; shells it is inside of
+    uint hits;         // surfaces its rays have met
+    uint pad;
+};
+
+// One launch: `pixel_count` pixels from `first_pixel` on (in tile order), samples [first_sample, first_sample + sample_count) each.
+struct Batch {
+    uint first_pixel, pixel_count, first_sample, sample_count;
+    uint resumed;  // paths to go on with instead of new ones
+    uint capacity; // paths that can be suspended
+    uint budget;   // steps a path may take before it is suspended
+    uint pad;
+};
+
+SHARED_END
+
+#ifdef __OPENCL_C_VERSION__
+typedef struct Path Path;
+typedef struct Batch Batch;
+#endif
+
+// Pixels are visited in tiles of TILE x TILE, so that neighbouring work-items see neighbouring geometry.
+#define TILE 8
+
+// Planes of the film: sums over the samples of one block, float4 each.
+#define FILM_RADIANCE 0 // rgb, alpha
+#define FILM_SQUARE 1   // squares of rgb
+#define FILM_ALBEDO 2   // albedo, depth
+#define FILM_NORMAL 3
+#define FILM_PLANES 4
+
+// Samples are added up in float within aligned blocks of this many, the blocks in double on the host.
+#define FILM_BLOCK 64
+
+#endif

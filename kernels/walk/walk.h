@@ -1,0 +1,151 @@
+// The random walk inside a medium with RGB extinction: what one flight does to position, direction and weights.
+// Where the flight ends is the caller's business (a mesh, or a plane in the probes).
+//
+// Chromatic weights by the one-sample balance heuristic (physics: memo eqs 2-4, with the sum over wavelengths and the pdfs
+// that it leaves out): W_c *= f_c / sum_l P_l p_l, with f_c = albedo_c p_c for a scatter and the transmittance for the exit.
+// P is set by the channel sampling:
+//     single      one channel for the whole walk, the others carry nothing (memo Fig 2, left)
+//     albedo      P proportional to the albedo (Fig 2, centre)
+//     throughput  P proportional to W (Fig 2, right)
+//     hero        P proportional to the product of channel c's pdfs so far: one channel drawn per walk, balance over walks
+// The phase function is the same for all channels and cancels.
+#ifndef NACRE_WALK_WALK_H
+#define NACRE_WALK_WALK_H
+
+#include "flight/flight.h"
+#include "phase/henyey_greenstein.h"
+
+// Walks whose largest weight is below this play Russian roulette; survivors are raised to it.
+#ifndef WALK_ROULETTE
+#define WALK_ROULETTE 0.1f
+#endif
+
+typedef struct {
+    real3 position, direction;
+    real3 weight;  // W_c
+    real3 share;   // P_c
+    real3 sigma, albedo;
+    real anisotropy, bleed;
+    mask reciprocal; // flight law
+    whole channel;   // drawn for the next flight: 0, 1, 2
+    real first_number;
+    natural steps;   // scatters so far
+} Walk;
+
+real3 triple(real x) {
+    real3 r;
+    r.x = x;
+    r.y = x;
+    r.z = x;
+    return r;
+}
+
+real largest(real3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+
+whole choose_channel(real3 share, real xi) {
+    return pick(xi < share.x, (whole)(0), pick(xi < share.x + share.y, (whole)(1), (whole)(2)));
+}
+
+real channel_of(real3 v, whole channel) { return pick(channel == 0, v.x, pick(channel == 1, v.y, v.z)); }
+
+real3 normalised(real3 v) {
+    const real scale = 1.0f / (v.x + v.y + v.z);
+    real3 r;
+    r.x = v.x * scale;
+    r.y = v.y * scale;
+    r.z = v.z * scale;
+    return r;
+}
+
+// Weights and channel at the entry. xi in (0, 1) draws the channel; position, direction and medium are set by the caller.
+void walk_begin(const Scene *scene, Walk *walk, real xi) {
+    walk->steps = (natural)(0);
+    walk->weight = triple((real)(1.0f));
+    walk->share = triple((real)(1.0f / 3.0f));
+    walk->channel = choose_channel(walk->share, xi);
+    if (scene->frame->channel_sampling == CHANNEL_SINGLE) {
+        const real zero = (real)(0.0f), one = (real)(1.0f);
+        walk->share.x = pick(walk->channel == 0, one, zero);
+        walk->share.y = pick(walk->channel == 1, one, zero);
+        walk->share.z = pick(walk->channel == 2, one, zero);
+        walk->weight.x = 3.0f * walk->share.x;
+        walk->weight.y = 3.0f * walk->share.y;
+        walk->weight.z = 3.0f * walk->share.z;
+    }
+}
+
+// The modes that draw a channel for every flight do it here, before the flight.
+void walk_choose(const Scene *scene, Walk *walk, real xi) {
+    const int mode = scene->frame->channel_sampling;
+    if (mode != CHANNEL_ALBEDO && mode != CHANNEL_THROUGHPUT) return;
+    real3 share = mode == CHANNEL_ALBEDO ? walk->albedo : walk->weight;
+    share.x += 1e-30f; // a black medium: any channel will do
+    share.y += 1e-30f;
+    share.z += 1e-30f;
+    walk->share = normalised(share);
+    walk->channel = choose_channel(walk->share, xi);
+}
+
+Flight walk_flight(const Walk *walk) { return flight_of(walk->bleed, walk->reciprocal, walk->steps > 0u); }
+
+// Length of the next flight if nothing is in its way.
+real walk_distance(const Scene *scene, const Walk *walk, real xi) {
+    return flight_sample(scene, walk_flight(walk), xi) / channel_of(walk->sigma, walk->channel);
+}
+
+// Balance heuristic over channels: density of each channel's technique, and what is left of its light (the albedo, or 1).
+void walk_weigh(const Scene *scene, Walk *walk, real3 density, real3 factor) {
+    const real mixture =
+        fma(walk->share.x, density.x, fma(walk->share.y, density.y, walk->share.z * density.z));
+    const real inverse = 1.0f / mixture;
+    density.x *= inverse;
+    density.y *= inverse;
+    density.z *= inverse;
+    walk->weight.x *= factor.x * density.x;
+    walk->weight.y *= factor.y * density.y;
+    walk->weight.z *= factor.z * density.z;
+    if (scene->frame->channel_sampling == CHANNEL_HERO) {
+        walk->share.x *= density.x;
+        walk->share.y *= density.y;
+        walk->share.z *= density.z;
+    }
+}
+
+// The flight reached the surface after `distance`.
+void walk_leave(const Scene *scene, Walk *walk, real distance) {
+    const Flight flight = walk_flight(walk);
+    real3 density;
+    density.x = flight_transmittance(scene, flight, walk->sigma.x * distance);
+    density.y = flight_transmittance(scene, flight, walk->sigma.y * distance);
+    density.z = flight_transmittance(scene, flight, walk->sigma.z * distance);
+    walk_weigh(scene, walk, density, triple((real)(1.0f)));
+}
+
+// The flight ended in a scatter after `distance`: moves there and turns. xi_cosine, xi_azimuth in (0, 1).
+void walk_scatter(const Scene *scene, Walk *walk, real distance, real xi_cosine, real xi_azimuth) {
+    const Flight flight = walk_flight(walk);
+    real3 density;
+    density.x = walk->sigma.x * flight_pdf(scene, flight, walk->sigma.x * distance);
+    density.y = walk->sigma.y * flight_pdf(scene, flight, walk->sigma.y * distance);
+    density.z = walk->sigma.z * flight_pdf(scene, flight, walk->sigma.z * distance);
+    walk_weigh(scene, walk, density, walk->albedo);
+    walk->position.x = fma(walk->direction.x, distance, walk->position.x);
+    walk->position.y = fma(walk->direction.y, distance, walk->position.y);
+    walk->position.z = fma(walk->direction.z, distance, walk->position.z);
+    walk->direction = phase_sample(scene, walk->anisotropy, xi_cosine, xi_azimuth, walk->direction);
+    walk->steps += 1u;
+}
+
+// Russian roulette on the largest weight, never on the drawn channel's. Returns who survives.
+mask walk_roulette(Walk *walk, real xi) {
+    const real heaviest = largest(walk->weight);
+    const mask plays = heaviest < WALK_ROULETTE;
+    const mask survives = (mask)(!plays) | (mask)(xi * WALK_ROULETTE < heaviest);
+    const real scale = pick(plays && survives, WALK_ROULETTE / heaviest, (real)(1.0f));
+    walk->weight.x *= scale;
+    walk->weight.y *= scale;
+    walk->weight.z *= scale;
+    return survives;
+}
+
+#endif

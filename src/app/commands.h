@@ -1,0 +1,13 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace nacre::app {
+
+/// A subcommand adds its options to `program` and returns what runs it; that returns the exit code or throws.
+using Run = std::function<int()>;
+Run add_render(CLI::App &program);
+Run add_devices(CLI::App &program);
+Run add_check(CLI::App &program);
+
+} // namespace nacre::app

@@ -1,0 +1,19 @@
+#pragma once
+#include "render/session.h"
+#include <chrono>
+
+namespace nacre::app {
+
+/// Shows how far a render is: a bar that is redrawn on a terminal, a line every few seconds elsewhere, nothing if quiet.
+class ProgressBar {
+  public:
+    explicit ProgressBar(bool quiet);
+    void show(const render::Progress &progress);
+    void finish();
+
+  private:
+    bool terminal, quiet, drawn = false;
+    std::chrono::steady_clock::time_point last{};
+};
+
+} // namespace nacre::app

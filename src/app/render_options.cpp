@@ -1,0 +1,90 @@
+#include "app/render_options.h"
+#include "base/error.h"
+#include <charconv>
+#include <filesystem>
+
+namespace nacre::app {
+namespace {
+
+/// Whole numbers separated by `separator`, exactly `count` of them; empty if `text` is anything else.
+std::vector<std::uint32_t> numbers(const std::string &text, char separator, std::size_t count) {
+    std::vector<std::uint32_t> result;
+    const char *at = text.data(), *end = at + text.size();
+    for (;;) {
+        std::uint32_t value = 0;
+        const auto [next, failure] = std::from_chars(at, end, value);
+        if (failure != std::errc() || next == at) return {};
+        result.push_back(value);
+        if (next == end) break;
+        if (*next != separator) return {};
+        at = next + 1;
+    }
+    return result.size() == count ? result : std::vector<std::uint32_t>{};
+}
+
+} // namespace
+
+void RenderOptions::add_to(CLI::App &command) {
+    scene.add_to(command);
+    command.add_option("-o,--output", output, "Picture to write: .exr (float, with layers) or .png (sRGB)")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--spp", spp, "Samples per pixel")->check(CLI::Range(1u, 0xffffffffu));
+    command.add_option("--size", size, "Size of the picture in pixels")->type_name("WxH");
+    command.add_option("--crop", crop, "Render only pixels X0 <= x < X1, Y0 <= y < Y1")->type_name("X0,Y0,X1,Y1");
+    command.add_option("--seed", seed, "Another seed gives other noise");
+    command.add_option("--aov", aov, "Layers: albedo,N,depth,variance,samples, or none (default: all in EXR, none in PNG)")
+        ->type_name("LIST");
+    command.add_option("--device", device, "OpenCL device: index, cpu, gpu, or part of its name (see `nacre devices`)");
+    command.add_option("--kernels", kernels, "Read the kernels from this folder, not from the program")->type_name("DIR");
+    command.add_option("--stats", stats, "Write what was done and what it cost as JSON")->type_name("FILE");
+    command.add_flag("--generic", generic, "One kernel for every scene, to compare with the specialised one");
+    command.add_flag("--strict", strict, "Fail if a sample is NaN or infinite");
+    command.add_flag("--quiet", quiet, "No progress, no remarks");
+}
+
+void RenderOptions::apply(scene::Scene &target) const {
+    if (spp) target.render.spp = *spp;
+    if (seed) target.render.seed = *seed;
+    if (size.empty()) return;
+    const auto parts = numbers(size, 'x', 2);
+    if (parts.empty() || parts[0] < 1 || parts[1] < 1 || parts[0] > 65536 || parts[1] > 65536)
+        throw Error(Exit::usage, "--size " + size, "is not WIDTHxHEIGHT with sides of 1 to 65536, for example 512x512");
+    target.image.width = int(parts[0]);
+    target.image.height = int(parts[1]);
+}
+
+render::Layers RenderOptions::layers() const {
+    render::Layers layers;
+    if (!aov) {
+        const bool exr = std::filesystem::path(output).extension() == ".exr";
+        layers.albedo = layers.normal = layers.depth = layers.variance = layers.samples = exr;
+        return layers;
+    }
+    for (std::size_t from = 0; from <= aov->size();) {
+        const std::size_t comma = std::min(aov->find(',', from), aov->size());
+        const std::string name = aov->substr(from, comma - from);
+        if (name == "albedo") layers.albedo = true;
+        else if (name == "N") layers.normal = true;
+        else if (name == "depth") layers.depth = true;
+        else if (name == "variance") layers.variance = true;
+        else if (name == "samples") layers.samples = true;
+        else if (name != "none")
+            throw Error(Exit::usage, "--aov " + *aov,
+                        fmt::format("'{}' is no layer; there are albedo, N, depth, variance, samples, none", name));
+        from = comma + 1;
+    }
+    return layers;
+}
+
+render::Crop RenderOptions::parse_crop(const scene::Scene &target) const {
+    const std::uint32_t width = std::uint32_t(target.image.width), height = std::uint32_t(target.image.height);
+    if (crop.empty()) return {0, 0, width, height};
+    const auto parts = numbers(crop, ',', 4);
+    if (parts.empty() || parts[0] >= parts[2] || parts[1] >= parts[3] || parts[2] > width || parts[3] > height)
+        throw Error(Exit::usage, "--crop " + crop,
+                    fmt::format("is not X0,Y0,X1,Y1 with X0 < X1 <= {} and Y0 < Y1 <= {}", width, height));
+    return {parts[0], parts[1], parts[2], parts[3]};
+}
+
+} // namespace nacre::app

@@ -1,0 +1,26 @@
+#pragma once
+#include "app/scene_options.h"
+#include "render/session.h"
+#include <cstdint>
+#include <optional>
+
+namespace nacre::app {
+
+/// The command line of `nacre render`.
+struct RenderOptions {
+    SceneOptions scene;
+    std::string output, size, crop, device, kernels, stats;
+    std::optional<std::string> aov;
+    std::optional<std::uint32_t> spp, seed;
+    bool generic = false, strict = false, quiet = false;
+
+    void add_to(CLI::App &command);
+
+    /// Writes spp, seed and size into the scene, which they override.
+    void apply(scene::Scene &scene) const;
+    /// Layers by --aov; without it all in an EXR, none in a PNG. Throws Error{Exit::usage}, as the next one does.
+    render::Layers layers() const;
+    render::Crop parse_crop(const scene::Scene &scene) const;
+};
+
+} // namespace nacre::app

@@ -1,0 +1,48 @@
+#include "device/quirks.h"
+#include "device/context.h"
+
+namespace nacre::device {
+namespace {
+
+/// Width of the host's float vectors: a CPU device runs on the host's own cores.
+int host_vector_width() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512vl")) return 16;
+    if (__builtin_cpu_supports("avx2")) return 8;
+#endif
+    return 4;
+}
+
+struct Row {
+    const char *platform; // part of the platform's name
+    Quirks quirks;
+    const char *reason;
+};
+
+} // namespace
+
+Quirks quirks_of(const DeviceInfo &info) {
+    const int width = host_vector_width();
+    const Row rows[] = {
+        {"Portable Computing Language",
+         {.bvh_width = width, .bvh_vector = true, .work_group = 1, .binary_cache = false},
+         "PoCL does not vectorise divergent kernels: vectors are explicit, a work-group of one saves its loop. It "
+         "caches machine code itself, in our private folder, and aborts on a binary it cannot read."},
+        {"Oclgrind",
+         {.bvh_width = 8, .bvh_vector = true, .work_group = 1, .binary_cache = false},
+         "False alarms on 16 wide vectors; has no binaries."},
+        {"rusticl",
+         {.bvh_width = 4, .bvh_vector = false, .work_group = 8, .binary_cache = true},
+         "llvmpipe is fastest with scalar code and groups of 8."},
+        {"Intel(R) OpenCL",
+         {.bvh_width = width, .bvh_vector = true, .work_group = 1, .binary_cache = true},
+         "A CPU runtime: explicit vectors as on PoCL."},
+    };
+    for (const Row &row : rows)
+        if (info.platform.find(row.platform) != std::string::npos) return row.quirks;
+    if (info.type & CL_DEVICE_TYPE_CPU)
+        return {.bvh_width = width, .bvh_vector = true, .work_group = 1, .binary_cache = true};
+    return {.bvh_width = 4, .bvh_vector = false, .work_group = 64, .binary_cache = true};
+}
+
+} // namespace nacre::device

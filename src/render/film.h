@@ -1,0 +1,44 @@
+#pragma once
+#include "io/image.h"
+#include "render/upload.h"
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace nacre::render {
+
+/// Which layers a picture has beside RGBA.
+struct Layers {
+    bool albedo = false, normal = false, depth = false, variance = false, samples = false;
+    bool surface() const { return albedo || normal || depth; }
+};
+
+/// Sums over all samples of every pixel, in double, in units of the device's film. Pixels are in tile order (shared/path.h).
+class Film {
+  public:
+    Film(const Crop &crop, std::uint32_t planes);
+
+    /// Tile-ordered pixels, those of the last tiles that are beyond the crop's edge included.
+    std::uint32_t pixels() const { return count; }
+
+    /// Adds a block's sums (planes x float4 per pixel) as they come from the device.
+    void add(const std::vector<shared::float4> &block);
+
+    /// Says that pixels [first, first + count) have `samples` more.
+    void count_samples(std::uint32_t first, std::uint32_t count, std::uint32_t samples);
+
+    /// The mean of every pixel, with its layers; `unit` and `length` bring radiance and depth back to the scene's units.
+    io::Picture picture(const Layers &layers, double unit, double length) const;
+
+    std::uint64_t total_samples() const;
+
+  private:
+    Crop crop;
+    std::uint32_t planes, columns, count;
+    std::vector<double> sums; // planes * 4 per pixel
+    std::vector<std::uint32_t> samples;
+
+    std::uint32_t tile_index(std::uint32_t x, std::uint32_t y) const;
+};
+
+} // namespace nacre::render

@@ -1,0 +1,24 @@
+#pragma once
+#include "accel/bvh.h"
+#include "scene/normalise.h"
+#include "scene/scene.h"
+#include "shared/features.h"
+#include "shared/scene.h"
+#include <vector>
+
+namespace nacre::render {
+
+/// The objects of a scene as kernels read them; primitives are counted from object to object.
+struct Geometry {
+    accel::Bvh bvh;
+    std::uint32_t root = 0; // of the tree over everything
+    std::vector<shared::Object> objects;
+    std::vector<shared::uint4> triangles; // three vertices, object
+    std::vector<float> normals;           // 3 per vertex, where the features have SMOOTH; 0: use the geometric one
+    std::vector<float> uvs;               // 2 per vertex, where they have TEXTURES
+};
+
+/// Builds the trees: one over everything, and one for each object with subsurface scattering unless it is alone.
+Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, std::uint32_t features, int bvh_width);
+
+} // namespace nacre::render

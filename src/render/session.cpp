@@ -1,0 +1,173 @@
+#include "render/session.h"
+#include "device/cache.h"
+#include "device/error.h"
+#include "render/layout.h"
+#include "render/tracer.h"
+#include "scene/features.h"
+#include <algorithm>
+#include <chrono>
+
+namespace nacre::render {
+namespace {
+
+using namespace shared;
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// A launch should take about this long: progress and Ctrl-C answer, watchdogs of GPUs do not bite.
+constexpr double launch_seconds = 0.1;
+constexpr std::uint32_t smallest_batch = 64, first_batch = 4096, largest_batch = 1 << 18;
+
+Crop crop_or_all(const Crop &crop, const scene::Scene &scene) {
+    if (crop.x1 > 0) return crop;
+    return {0, 0, std::uint32_t(scene.image.width), std::uint32_t(scene.image.height)};
+}
+
+} // namespace
+
+struct Session::Impl {
+    device::Device device;
+    Layers layers;
+    Crop crop;
+    std::uint32_t planes;
+    Clock::time_point start = Clock::now();
+    Statistics statistics;
+    DeviceScene scene;
+    device::Program program;
+    Film film;
+    std::unique_ptr<Tracer> tracer;
+    std::uint32_t batch_size = first_batch;
+    std::uint32_t full_width, full_height;
+    std::uint32_t taken = 0; // samples that every pixel has
+
+    Impl(device::Device opened, const scene::Scene &source, const Options &options)
+        : device(std::move(opened)), layers(options.layers), crop(crop_or_all(options.crop, source)),
+          planes(layers.surface() ? FILM_PLANES : FILM_ALBEDO), film(crop, planes),
+          full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
+        const std::uint32_t features = scene::features(source, layers.surface());
+        scene = upload(device, source, features, crop);
+        const device::Variant variant{.features = options.generic ? FEATURE_ALL : features,
+                                      .generic = options.generic,
+                                      .bvh_stack = scene.bvh_stack};
+        program = device::build(device, variant);
+        check_layout(device, program);
+        tracer = std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
+                                          std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)));
+        statistics.build = scene.build_seconds;
+        statistics.compile = program.seconds;
+        statistics.device = device.info.name;
+        statistics.program_options = device::options(device, variant);
+        statistics.generic = options.generic;
+        statistics.features = scene::feature_names(features);
+        for (const auto &entry : scene.buffers) statistics.memory.emplace_back(entry.name, entry.bytes);
+        for (const auto &entry : tracer->memory()) statistics.memory.push_back(entry);
+    }
+
+    /// Traces samples [first, first + count) of pixels [begin, ...) in one launch; returns how many pixels it took.
+    std::uint32_t trace_some(std::uint32_t begin, std::uint32_t first, std::uint32_t count) {
+        for (;;) {
+            // Whole tiles where possible: they are what is close together.
+            std::uint32_t pixels = std::max(1u, batch_size / count);
+            if (pixels > TILE * TILE) pixels -= pixels % (TILE * TILE);
+            pixels = std::min(pixels, film.pixels() - begin);
+            try {
+                const Clock::time_point launched = Clock::now();
+                statistics.sampling += tracer->trace({begin, pixels, first, count, 0, 0, 0, 0});
+                if (statistics.first_pixel == 0) {
+                    statistics.first_pixel = since(start);
+                    device::finish_compiling();
+                } else {
+                    adapt(since(launched), pixels * count);
+                }
+                film.count_samples(begin, pixels, count);
+                return pixels;
+            } catch (const cl::Error &error) {
+                if (!device::is_out_of_resources(error) || batch_size <= smallest_batch) throw;
+                batch_size /= 2;
+            }
+        }
+    }
+
+    /// Brings launches towards launch_seconds, at most doubling.
+    void adapt(double seconds, std::uint32_t paths) {
+        const double wanted = paths * std::clamp(launch_seconds / seconds, 0.25, 2.0);
+        batch_size = std::uint32_t(std::clamp(wanted, double(smallest_batch), double(largest_batch)));
+    }
+
+    bool render(std::uint32_t spp, const std::function<void(const Progress &)> &report, const std::atomic<bool> *stop) {
+        const Clock::time_point began = Clock::now();
+        const double inside = double(crop.width()) * crop.height() / film.pixels(); // share of pixels that are in the crop
+        Progress progress;
+        progress.wanted = std::uint64_t(spp) * crop.width() * crop.height();
+        bool stopped = false;
+        for (std::uint32_t sample = 0; sample < spp && !stopped;) {
+            // A first look soon, then more samples at once: neighbouring paths meet the same geometry. Never across a block.
+            const std::uint32_t in_block = sample % FILM_BLOCK;
+            const std::uint32_t count =
+                std::min({spp - sample, FILM_BLOCK - in_block, in_block == 0 ? sample == 0 ? 1u : 16u : in_block, 16u});
+            for (std::uint32_t pixel = 0; pixel < film.pixels() && !stopped;) {
+                const std::uint32_t taken = trace_some(pixel, sample, count);
+                pixel += taken;
+                progress.samples += std::uint64_t(inside * taken * count);
+                tracer->take_counters(statistics);
+                progress.seconds = since(began);
+                progress.rays = statistics.rays();
+                if (report) report(progress);
+                stopped = stop && stop->load();
+            }
+            sample += count;
+            if (!stopped) taken = sample;
+            if (stopped || sample == spp || sample % FILM_BLOCK == 0) film.add(tracer->take_film());
+        }
+        return !stopped;
+    }
+};
+
+Session::Session(device::Device device, const scene::Scene &scene, const Options &options) {
+    const std::string name = device.info.name;
+    try {
+        impl = std::make_unique<Impl>(std::move(device), scene, options);
+    } catch (const cl::Error &error) {
+        throw device::device_error(name, error);
+    }
+}
+
+Session::~Session() = default;
+
+bool Session::render(std::uint32_t spp, const std::function<void(const Progress &)> &report,
+                     const std::atomic<bool> *stop) {
+    try {
+        return impl->render(spp, report, stop);
+    } catch (const cl::Error &error) {
+        throw device::device_error(impl->device.info.name, error);
+    }
+}
+
+io::Picture Session::picture() const {
+    io::Picture picture = impl->film.picture(impl->layers, impl->scene.unit, impl->scene.length);
+    picture.full_width = int(impl->full_width);
+    picture.full_height = int(impl->full_height);
+    picture.metadata = {{"scene", impl->scene.hash},
+                        {"kernel", impl->program.hash},
+                        {"device", impl->device.info.name},
+                        {"seed", std::to_string(impl->scene.frame.seed)},
+                        {"samples", fmt::format("0:{}", impl->taken)},
+                        {"features", fmt::format("{}", fmt::join(impl->statistics.features, " "))},
+                        {"seconds", fmt::format("{:.3f}", impl->statistics.sampling)}};
+    return picture;
+}
+
+Statistics Session::statistics() const {
+    Statistics statistics = impl->statistics;
+    statistics.samples = impl->film.total_samples();
+    statistics.total = since(impl->start);
+    if (statistics[COUNTER_non_finite] > 0) {
+        const std::uint64_t pixel = statistics.bad_pixel_x - 1; // the kernel stores the pixel's number + 1
+        statistics.bad_pixel_x = pixel % impl->full_width;
+        statistics.bad_pixel_y = pixel / impl->full_width;
+    }
+    return statistics;
+}
+
+} // namespace nacre::render

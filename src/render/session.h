@@ -1,0 +1,45 @@
+#pragma once
+#include "device/program.h"
+#include "render/film.h"
+#include "render/statistics.h"
+#include "render/upload.h"
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace nacre::render {
+
+struct Options {
+    Layers layers;
+    Crop crop; // empty: the whole image
+    bool generic = false;
+};
+
+/// How far a render is.
+struct Progress {
+    std::uint64_t samples = 0, wanted = 0; // of all pixels
+    double seconds = 0;                    // since the first launch
+    std::uint64_t rays = 0;
+};
+
+/// One scene on one device, from upload to picture. Not for more than one thread.
+class Session {
+  public:
+    /// Uploads and compiles. Throws Error{Exit::device} or Error{Exit::input}.
+    Session(device::Device device, const scene::Scene &scene, const Options &options);
+    ~Session();
+
+    /// Takes samples [0, spp) of every pixel. `report` is called after every launch (every 50-200 ms); `stop` ends after the
+    /// current one, and the picture is then of what there is. Returns whether it came to the end.
+    bool render(std::uint32_t spp, const std::function<void(const Progress &)> &report = {},
+                const std::atomic<bool> *stop = nullptr);
+
+    io::Picture picture() const;
+    Statistics statistics() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl;
+};
+
+} // namespace nacre::render

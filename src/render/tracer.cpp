@@ -1,0 +1,98 @@
+#include "render/tracer.h"
+#include "shared/features.h"
+#include <algorithm>
+
+namespace nacre::render {
+namespace {
+
+using namespace shared;
+
+/// Steps a path takes before it is suspended: some milliseconds, so that no launch hangs on a few endless walks.
+constexpr std::uint32_t step_budget = 4096;
+
+cl::Buffer make(const device::Device &device, std::size_t bytes) {
+    return bytes > 0 ? cl::Buffer(device.context, CL_MEM_READ_WRITE, bytes) : cl::Buffer();
+}
+
+} // namespace
+
+Tracer::Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene,
+               std::uint32_t planes, std::uint32_t film_pixels, std::uint32_t capacity)
+    : device(device), trace_kernel(program.program, "trace_paths"), accumulate_kernel(program.program, "accumulate"),
+      suspended_capacity(scene.frame.features & FEATURE_SUBSURFACE ? capacity / 4 : 1), counted(COUNTER_WORDS) {
+    radiance_bytes = std::size_t(capacity) * sizeof(float4);
+    layer_bytes = planes > FILM_ALBEDO ? 2 * radiance_bytes : 0;
+    film_bytes = std::size_t(film_pixels) * planes * sizeof(float4);
+    path_bytes = std::size_t(suspended_capacity) * sizeof(Path);
+    radiance = make(device, radiance_bytes);
+    layers = make(device, layer_bytes);
+    film = make(device, film_bytes);
+    counters = make(device, COUNTER_WORDS * sizeof(uint));
+    for (cl::Buffer &buffer : paths) buffer = make(device, path_bytes);
+    device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes);
+    device.queue.enqueueFillBuffer(counters, 0u, 0, COUNTER_WORDS * sizeof(uint));
+    scene_arguments = scene.bind(trace_kernel);
+    trace_kernel.setArg(scene_arguments + 1, radiance);
+    trace_kernel.setArg(scene_arguments + 2, layers);
+    trace_kernel.setArg(scene_arguments + 5, counters);
+    scene.bind(accumulate_kernel);
+    accumulate_kernel.setArg(scene_arguments + 1, radiance);
+    accumulate_kernel.setArg(scene_arguments + 2, layers);
+    accumulate_kernel.setArg(scene_arguments + 3, film);
+    accumulate_kernel.setArg(scene_arguments + 4, planes);
+}
+
+double Tracer::launch(cl::Kernel &kernel, std::size_t items) {
+    const std::size_t group = std::size_t(device.quirks.work_group), global = (items + group - 1) / group * group;
+    cl::Event event;
+    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(group), nullptr, &event);
+    event.wait();
+    return 1e-9 * double(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                         event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+}
+
+double Tracer::trace(Batch batch) {
+    batch.resumed = 0;
+    batch.capacity = suspended_capacity;
+    batch.budget = step_budget;
+    double seconds = 0;
+    std::size_t items = std::size_t(batch.pixel_count) * batch.sample_count;
+    for (int turn = 0; items > 0; turn ^= 1) {
+        const uint none = 0;
+        device.queue.enqueueWriteBuffer(counters, false, COUNTER_SUSPENDED * sizeof(uint), sizeof none, &none);
+        trace_kernel.setArg(scene_arguments, batch);
+        trace_kernel.setArg(scene_arguments + 3, paths[turn]);
+        trace_kernel.setArg(scene_arguments + 4, paths[turn ^ 1]);
+        seconds += launch(trace_kernel, items);
+        uint suspended = 0;
+        device.queue.enqueueReadBuffer(counters, true, COUNTER_SUSPENDED * sizeof(uint), sizeof suspended, &suspended);
+        batch.resumed = std::min(suspended, suspended_capacity);
+        items = batch.resumed;
+    }
+    batch.resumed = 0;
+    accumulate_kernel.setArg(scene_arguments, batch);
+    return seconds + launch(accumulate_kernel, batch.pixel_count);
+}
+
+std::vector<float4> Tracer::take_film() {
+    std::vector<float4> sums(film_bytes / sizeof(float4));
+    device.queue.enqueueReadBuffer(film, true, 0, film_bytes, sums.data());
+    device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes);
+    return sums;
+}
+
+void Tracer::take_counters(Statistics &statistics) {
+    device.queue.enqueueReadBuffer(counters, true, 0, counted.size() * sizeof(uint), counted.data());
+    device.queue.enqueueFillBuffer(counters, 0u, 0, COUNTER_TAIL * sizeof(uint)); // the first bad sample stays
+    for (int slice = 0; slice < COUNTER_SLICES; ++slice)
+        for (int i = 0; i < COUNTER_COUNT; ++i) statistics.counters[i] += counted[slice * COUNTER_STRIDE + i];
+    statistics.bad_sample = counted[COUNTER_BAD_SAMPLE];
+    statistics.bad_step = counted[COUNTER_BAD_STEP];
+    statistics.bad_pixel_x = counted[COUNTER_BAD_PIXEL];
+}
+
+std::vector<std::pair<std::string, std::size_t>> Tracer::memory() const {
+    return {{"radiance", radiance_bytes}, {"layers", layer_bytes}, {"film", film_bytes}, {"paths", 2 * path_bytes}};
+}
+
+} // namespace nacre::render

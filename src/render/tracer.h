@@ -1,0 +1,42 @@
+#pragma once
+#include "device/program.h"
+#include "render/statistics.h"
+#include "render/upload.h"
+#include "shared/path.h"
+
+namespace nacre::render {
+
+/// The kernels of render.cl on one scene: traces batches and adds them to the device's film.
+class Tracer {
+  public:
+    /// `capacity`: most paths of a batch.
+    Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene, std::uint32_t planes,
+           std::uint32_t film_pixels, std::uint32_t capacity);
+
+    /// Traces a batch to its end (suspended paths included) and adds it to the film. Throws cl::Error; after one that says "out
+    /// of resources" the batch may be tried again in smaller parts. Returns the seconds of its kernels.
+    double trace(shared::Batch batch);
+
+    /// The film's sums since the last call, and clears them.
+    std::vector<shared::float4> take_film();
+
+    /// Adds what was counted since the last call.
+    void take_counters(Statistics &statistics);
+
+    /// Bytes of the buffers that are not the scene's.
+    std::vector<std::pair<std::string, std::size_t>> memory() const;
+
+  private:
+    const device::Device &device;
+    cl::Kernel trace_kernel, accumulate_kernel;
+    cl_uint scene_arguments;
+    std::uint32_t suspended_capacity;
+    std::size_t layer_bytes = 0, film_bytes = 0, radiance_bytes = 0, path_bytes = 0;
+    cl::Buffer radiance, layers, film, counters;
+    cl::Buffer paths[2]; // suspended, resumed; they take turns
+    std::vector<shared::uint> counted;
+
+    double launch(cl::Kernel &kernel, std::size_t items);
+};
+
+} // namespace nacre::render

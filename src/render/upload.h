@@ -1,0 +1,40 @@
+#pragma once
+#include "device/context.h"
+#include "render/geometry.h"
+#include "render/lights.h"
+#include "scene/scene.h"
+#include <string>
+#include <vector>
+
+namespace nacre::render {
+
+/// Part of the image that is rendered, in pixels: [x0, x1) x [y0, y1).
+struct Crop {
+    std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    std::uint32_t width() const { return x1 - x0; }
+    std::uint32_t height() const { return y1 - y0; }
+};
+
+/// A scene on a device: one buffer for each argument of SCENE_PARAMETERS, in that order. What no feature asks for is not made:
+/// its buffer is null.
+struct DeviceScene {
+    struct Entry {
+        std::string name;
+        cl::Buffer buffer;
+        std::size_t bytes = 0;
+    };
+    std::vector<Entry> buffers;
+    shared::Frame frame{};
+    std::string hash;  // of everything uploaded: the same picture on the same device, if the kernels are the same
+    double unit = 1;   // film -> radiance
+    double length = 1; // kernels' lengths -> scene units
+    std::uint32_t bvh_stack = 0;
+    double build_seconds = 0; // of the BVH
+
+    /// Sets the scene's arguments of a kernel; returns the index of the next one.
+    cl_uint bind(cl::Kernel &kernel) const;
+};
+
+DeviceScene upload(const device::Device &device, const scene::Scene &scene, std::uint32_t features, const Crop &crop);
+
+} // namespace nacre::render
