@@ -1,0 +1,73 @@
+#include "io/read_scene.h"
+#include "io/read_material.h"
+#include <algorithm>
+
+namespace nacre::io {
+
+namespace {
+
+constexpr Choice channel_samplings[] = {{"hero", shared::CHANNEL_HERO},
+                                        {"single", shared::CHANNEL_SINGLE},
+                                        {"albedo", shared::CHANNEL_ALBEDO},
+                                        {"throughput", shared::CHANNEL_THROUGHPUT}};
+enum Guiding { no_guiding };
+constexpr Choice guidings[] = {{"none", no_guiding}, {"dwivedi", 0, false}, {"eigen", 0, false}};
+
+} // namespace
+
+void read_settings(Fields &root, Reading &reading) {
+    if (const Json *tree = root.find("image")) {
+        Fields image(*tree, "image", "image", reading.source);
+        image.read("width", reading.scene.image.width);
+        image.read("height", reading.scene.image.height);
+        image.finish();
+    }
+    if (const Json *tree = root.find("render")) {
+        scene::RenderSettings &settings = reading.scene.render;
+        Fields render(*tree, "render", "render", reading.source);
+        render.read("spp", settings.spp);
+        render.read("seed", settings.seed);
+        render.read("max_depth", settings.max_depth);
+        render.read("exposure", settings.exposure);
+        render.read_choice("channel_sampling", channel_samplings, settings.channel_sampling);
+        Guiding guiding = no_guiding;
+        render.read_choice("guiding", guidings, guiding);
+        bool clearance = false;
+        render.read("clearance", clearance);
+        if (clearance) render.fail("clearance", "true is not built yet, use false");
+        render.finish();
+    }
+    if (const Json *tree = root.find("device")) {
+        Fields device(*tree, "device", "device", reading.source);
+        device.read("lanes", reading.scene.lanes);
+        if (reading.scene.lanes > 1) device.fail("lanes", "more than 1 is not built yet, use 0 (automatic) or 1");
+        device.finish();
+    }
+}
+
+void read_materials(const Json *tree, Reading &reading) {
+    if (!tree) return;
+    const Fields section(*tree, "materials", "materials", reading.source); // checks that it is an object
+    std::vector<scene::Material> &materials = reading.scene.materials;
+    for (const auto &item : tree->items()) {
+        auto material = std::find_if(materials.begin(), materials.end(),
+                                     [&](const scene::Material &m) { return m.name == item.key(); });
+        if (material == materials.end()) {
+            material = materials.emplace(materials.end());
+            material->name = item.key();
+        }
+        read_material(item.value(), section.path(item.key()), reading.source, reading.maps, *material);
+    }
+}
+
+void read_scene(const Json &tree, bool with_objects, Reading &reading) {
+    Fields root(tree, "", "scene", reading.source);
+    read_settings(root, reading);
+    read_materials(root.find("materials"), reading);
+    if (with_objects) read_objects(root.find("objects"), reading);
+    read_camera(root.find("camera"), reading);
+    read_lights(root.find("lights"), reading);
+    root.finish();
+}
+
+} // namespace nacre::io
