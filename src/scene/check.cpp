@@ -1,0 +1,129 @@
+#include "scene/check.h"
+#include "scene/topology.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace nacre::scene {
+
+namespace {
+
+const Value &of(const Material &material, shared::Parameter parameter) { return material[parameter]; }
+
+bool scatters(const Material &material) {
+    const Value &weight = of(material, shared::PARAMETER_subsurface_weight);
+    return weight.texture >= 0 || weight.value.maxCoeff() > 0;
+}
+
+bool emits(const Material &material) {
+    return of(material, shared::PARAMETER_emission_luminance).value.maxCoeff() > 0 ||
+           of(material, shared::PARAMETER_emission_luminance).texture >= 0;
+}
+
+// One object, with what is found in it.
+class ObjectCheck {
+  public:
+    ObjectCheck(const Object &object, const Material &material) : object(object), material(material) {}
+
+    std::vector<Finding> run() {
+        edges();
+        shells();
+        triangles();
+        if (scatters(material)) scattering_length();
+        uvs();
+        return std::move(findings);
+    }
+
+  private:
+    void find(std::string text) { findings.push_back({object.name, std::move(text)}); }
+
+    void edges() {
+        if (topology.open_edges)
+            find(fmt::format("{} open edges: the mesh has holes{}", topology.open_edges,
+                             scatters(material) ? ", light inside gets lost through them; close them" : ""));
+        if (topology.non_manifold_edges)
+            find(fmt::format("{} edges have more than two triangles: what is inside is not clear there",
+                             topology.non_manifold_edges));
+        if (topology.inconsistent_edges)
+            find(fmt::format("{} edges lie between triangles of opposite winding: turn one side round",
+                             topology.inconsistent_edges));
+    }
+
+    // A shell turned inwards inside another is a cavity, and right.
+    bool is_cavity(const Shell &shell) const {
+        return std::any_of(topology.shells.begin(), topology.shells.end(), [&](const Shell &other) {
+            return other.closed && other.volume > 0 && other.box.contains(shell.box);
+        });
+    }
+
+    void shells() {
+        std::size_t turned = 0, count = 0;
+        for (const Shell &shell : topology.shells)
+            if (shell.closed && shell.volume < 0 && !is_cavity(shell)) {
+                ++turned;
+                count += shell.triangles;
+            }
+        if (turned)
+            find(fmt::format("inside out: {} of {} shells ({} triangles) face inwards; reverse their triangles", turned,
+                             topology.shells.size(), count));
+    }
+
+    void triangles() {
+        if (object.degenerate) find(fmt::format("{} triangles without area were dropped", object.degenerate));
+        if (const std::size_t opposed = count_opposed_normals(object.mesh))
+            find(fmt::format("{} of {} triangles have a vertex normal on their other side; \"smooth\": false ignores "
+                             "the normals of the file",
+                             opposed, object.mesh.triangles.size()));
+    }
+
+    void scattering_length() {
+        const Value &radius = of(material, shared::PARAMETER_subsurface_radius);
+        const Value &scale = of(material, shared::PARAMETER_subsurface_radius_scale);
+        if (radius.texture >= 0 || scale.texture >= 0) return; // known only where it is read
+        const Bounds box = bounds(object.mesh);
+        const double size = box.diagonal().norm(), thinnest = box.sizes().minCoeff();
+        const double longest = radius.value.x() * scale.value.maxCoeff();
+        const double shortest = radius.value.x() * scale.value.minCoeff();
+        const double proposal = 0.02 * (thinnest > 0 ? thinnest : size);
+        const auto propose = [&](double length, const char *looks) {
+            find(fmt::format("material '{}': the mean free path {:.3g} is {:.2g} times the object's size {:.3g}, {}; "
+                             "did you mean subsurface_radius = {:.2g}?",
+                             material.name, length, length / size, size, looks, proposal));
+        };
+        if (longest > 0.5 * size)
+            propose(longest, "so it looks transparent");
+        else if (shortest < 1e-5 * size)
+            propose(shortest, "so it is very slow and looks like paint");
+    }
+
+    void uvs() {
+        if (!object.mesh.uvs.empty()) return;
+        const bool textured = std::any_of(material.values.begin(), material.values.end(),
+                                          [](const Value &value) { return value.texture >= 0; });
+        if (textured) find(fmt::format("material '{}' has textures, the mesh has no uvs", material.name));
+    }
+
+    const Object &object;
+    const Material &material;
+    const Topology topology = find_topology(object.mesh);
+    std::vector<Finding> findings;
+};
+
+} // namespace
+
+std::vector<Finding> check(const Scene &scene) {
+    std::vector<Finding> findings;
+    bool any_emits = false;
+    for (const Object &object : scene.objects) {
+        const Material &material = scene.materials[object.material];
+        any_emits = any_emits || emits(material);
+        std::vector<Finding> found = ObjectCheck(object, material).run();
+        std::move(found.begin(), found.end(), std::back_inserter(findings));
+    }
+    const bool lit = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                 [](const Light &light) { return light.radiance.maxCoeff() > 0; });
+    if (!lit && !any_emits) findings.push_back({scene.file, "has no light, the picture will be black"});
+    for (const std::string &warning : scene.warnings) findings.push_back({scene.file, "not used: " + warning});
+    return findings;
+}
+
+} // namespace nacre::scene
