@@ -1,4 +1,5 @@
 #include "render/film.h"
+#include "shared/path.h"
 #include <algorithm>
 #include <cmath>
 

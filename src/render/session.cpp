@@ -47,9 +47,10 @@ struct Session::Impl {
           full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
         const std::uint32_t features = scene::features(source, layers.surface());
         scene = upload(device, source, features, crop);
-        const device::Variant variant{.features = options.generic ? FEATURE_ALL : features,
-                                      .generic = options.generic,
-                                      .bvh_stack = scene.bvh_stack};
+        device::Variant variant;
+        variant.features = options.generic ? std::uint32_t(FEATURE_ALL) : features;
+        variant.generic = options.generic;
+        variant.bvh_stack = scene.bvh_stack;
         program = device::build(device, variant);
         check_layout(device, program);
         tracer = std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),

@@ -1,0 +1,207 @@
+// Entry points that let a test call the rooms: samplers one by one, and whole walks in bodies with a known answer.
+#include "bsdf/specular.h"
+#include "bsdf/lambert.h"
+#include "flight/flight.h"
+#include "lanes/lanes.h"
+#include "light/environment.h"
+#include "phase/henyey_greenstein.h"
+#include "random/sampler.h"
+#include "sampling/hemisphere.h"
+#include "shared/view.h"
+#include "walk/medium.h"
+#include "walk/walk.h"
+
+// What a probe is asked; the host's copy is in tests/device/probe.h.
+typedef struct {
+    float4 sigma, albedo;
+    float anisotropy, bleed, thickness; // thickness: slab; 0: half-space; < 0: sphere of radius -thickness
+    float a, b, c;                      // free parameters of the other probes
+    uint seed, first, reciprocal, entry, count, pad;
+} Probe;
+
+real lane_unit(natural bits) {
+    return (to_real(bits >> 9u) + 0.5f) * 0x1p-23f;
+}
+
+// Optical depths from `count` numbers spread evenly; out: depth, transmittance, pdf.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_flight(
+    global const Frame *frame, Probe probe, global float *out) {
+    Scene view = {frame};
+    const Scene *scene = &view;
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const Flight flight = flight_of((real)(probe.bleed), (mask)(probe.reciprocal ? -1 : 0), (mask)(-1));
+    const uint4 words = random_hash((uint4)(probe.seed, i, 1u, 2u));
+    const real tau = probe.c > 0.0f ? (real)(probe.c) : flight_sample(scene, flight, (real)(random_unit(words.x)));
+    out[3u * i] = tau;
+    out[3u * i + 1u] = flight_transmittance(scene, flight, tau);
+    out[3u * i + 2u] = flight_pdf(scene, flight, tau);
+}
+
+// Directions scattered from +z turned to (a, b, c); out: direction, pdf.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_phase(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    Scene view = {frame};
+    const Scene *scene = &view;
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    real3 from;
+    from.x = probe.a;
+    from.y = probe.b;
+    from.z = probe.c;
+    const uint4 words = random_hash((uint4)(probe.seed, i, 3u, 4u));
+    const real3 d = phase_sample(scene, probe.anisotropy, random_unit(words.x), random_unit(words.y), from);
+    out[i] = (float4)(d.x, d.y, d.z, phase_pdf(scene, probe.anisotropy, from, d));
+}
+
+// Directions of the hemisphere samplers about +z: cosine (entry 0), uniform (entry 1); and of Lambert's lobe about the
+// shading normal (a, b, c), folded at z = 0 (entry 2). out: direction, pdf.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_hemisphere(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const uint4 words = random_hash((uint4)(probe.seed, i, 5u, 6u));
+    const float2 xi = (float2)(random_unit(words.x), random_unit(words.y));
+    const float3 up = (float3)(0.0f, 0.0f, 1.0f), shading = (float3)(probe.a, probe.b, probe.c);
+    if (probe.entry == 2u) {
+        const float3 d = lambert_sample(xi, shading, up);
+        out[i] = (float4)(d, lambert_pdf(d, shading, up));
+    } else if (probe.entry == 1u) {
+        out[i] = (float4)(uniform_hemisphere(xi), 0.5f * INV_PI);
+    } else {
+        const float3 d = cosine_hemisphere(xi);
+        out[i] = (float4)(d, d.z * INV_PI);
+    }
+}
+
+// The specular layer seen from (a, b, c), roughness^2 in sigma.x, index in sigma.y. out: direction, and BSDF x cosine there;
+// albedo: its reflectance in x, what is left for the base in y.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_specular(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const uint4 words = random_hash((uint4)(probe.seed, i, 7u, 8u));
+    Specular specular;
+    specular.alpha = probe.sigma.x;
+    specular.eta = probe.sigma.y;
+    specular.metalness = 0.0f;
+    specular.metal = (float3)(0.0f);
+    specular.normal = specular.geometric = (float3)(0.0f, 0.0f, 1.0f);
+    float3 t, b;
+    const float3 view = (float3)(probe.a, probe.b, probe.c);
+    basis(specular.normal, &t, &b);
+    specular.view = (float3)(dot(view, t), dot(view, b), dot(view, specular.normal));
+    float3 direction;
+    float base;
+    const float3 r = specular_sample(&specular, (float2)(random_unit(words.x), random_unit(words.y)), &direction, &base);
+    out[2u * i] = (float4)(direction, specular_eval(&specular, direction).x);
+    out[2u * i + 1u] = (float4)(r.x, base, 0.0f, 0.0f);
+}
+
+// Pairs of the Sobol sampler: pixel i / count of `seed`, dimension `entry`, sample i % count. out: two numbers.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_sobol(
+    global const Frame *frame, Probe probe, global float2 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const uint2 word = sobol_pair(probe.seed, probe.entry, i);
+    out[i] = (float2)(random_unit(word.x), random_unit(word.y));
+}
+
+// Random numbers of the hash. out: four numbers.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_hash(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const uint4 w = random_hash((uint4)(probe.seed, i, probe.first, 9u));
+    out[i] = (float4)(random_unit(w.x), random_unit(w.y), random_unit(w.z), random_unit(w.w));
+}
+
+// Functions that the kernels lean on: sin and cos of 2 pi a. out: sine, cosine.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_sincos(
+    global const Frame *frame, Probe probe, global float2 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    float s, c;
+    sincos_scalar((float)i / (float)(probe.count - 1u), &s, &c);
+    out[i] = (float2)(s, c);
+}
+
+// Distance to the surface of the probe's body, and whether it is the side of the entry. A half-space and a slab lie at
+// z >= 0, entered at z = 0; a sphere is entered at its lowest point, the origin.
+float body_exit(float thickness, float3 p, float3 d, bool *back) {
+    *back = false;
+    if (thickness < 0.0f) {
+        const float3 q = (float3)(p.x, p.y, p.z + thickness);
+        const float b = dot(q, d), c = dot(q, q) - thickness * thickness;
+        return -b + sqrt(fmax(0.0f, b * b - c));
+    }
+    if (d.z < 0.0f) return p.z / -d.z;
+    *back = thickness > 0.0f && d.z > 0.0f;
+    return *back ? (thickness - p.z) / d.z : MAXFLOAT;
+}
+
+// `count` walks per work-item. out, per work-item: [0] sum of what leaves on the entry's side (rgb; count of walks that left
+// without a scatter), [1] squares, [2] sum of what leaves on the other side (w: largest weight), [3] squares (w: path
+// length), [4..5] walks that left after 0..7 scatters.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    Scene view = {frame};
+    const Scene *scene = &view;
+    float4 near = (float4)(0.0f), near2 = (float4)(0.0f), far = (float4)(0.0f), far2 = (float4)(0.0f);
+    float by_scatters[8] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    for (uint k = 0; k < probe.count; ++k) {
+        const Sampler sampler = sampler_of(probe.seed, probe.first + get_global_id(0), k, 0u);
+        const float2 entry = draw_pair(sampler, DRAW_ENTRY), first = draw_pair(sampler, DRAW_FIRST);
+        const float3 inner = probe.entry == ENTRY_UNIFORM ? uniform_hemisphere(entry) : cosine_hemisphere(entry);
+        Walk walk;
+        walk.position.x = walk.position.y = walk.position.z = 0.0f;
+        walk.direction.x = inner.x;
+        walk.direction.y = inner.y;
+        walk.direction.z = inner.z;
+        walk.sigma.x = probe.sigma.x;
+        walk.sigma.y = probe.sigma.y;
+        walk.sigma.z = probe.sigma.z;
+        walk.albedo.x = probe.albedo.x;
+        walk.albedo.y = probe.albedo.y;
+        walk.albedo.z = probe.albedo.z;
+        walk.anisotropy = probe.anisotropy;
+        walk.bleed = probe.bleed;
+        walk.reciprocal = (mask)probe.reciprocal;
+        walk_begin(scene, &walk, first.x);
+        float length = 0.0f;
+        for (;;) {
+            const uint4 words = draw_bits(sampler, DRAW_WALK, walk.steps);
+            walk_choose(scene, &walk, random_unit(words.w));
+            const float distance = walk_distance(scene, &walk, walk.steps == 0u ? first.y : random_unit(words.x));
+            bool back;
+            const float exit = body_exit(probe.thickness, (float3)(walk.position.x, walk.position.y, walk.position.z),
+                                         (float3)(walk.direction.x, walk.direction.y, walk.direction.z), &back);
+            if (distance >= exit) {
+                walk_leave(scene, &walk, exit);
+                const float4 weight = (float4)(walk.weight.x, walk.weight.y, walk.weight.z, 0.0f);
+                if (back) {
+                    far += weight;
+                    far2 += weight * weight;
+                } else {
+                    near += weight;
+                    near2 += weight * weight;
+                }
+                far.w = fmax(far.w, fmax(weight.x, fmax(weight.y, weight.z)));
+                far2.w += (length + exit) * weight.x;
+                if (walk.steps == 0u) near.w += 1.0f;
+                if (walk.steps < 8u) by_scatters[walk.steps] += 1.0f;
+                break;
+            }
+            length += distance;
+            walk_scatter(scene, &walk, distance, random_unit(words.y), random_unit(words.z));
+            if (!bits(walk_roulette(&walk, random_unit(draw_bits(sampler, DRAW_WALK_ROULETTE, walk.steps).x)))) break;
+        }
+    }
+    global float4 *sum = out + 6u * get_global_id(0);
+    sum[0] = near;
+    sum[1] = near2;
+    sum[2] = far;
+    sum[3] = far2;
+    sum[4] = vload4(0, by_scatters);
+    sum[5] = vload4(1, by_scatters);
+}
