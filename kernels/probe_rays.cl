@@ -33,8 +33,8 @@ probe_closest(global const float4 *rays, global uint4 *hits, global const float 
 
 // hits: 1 where something is in the way.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void
-probe_any(global const float4 *rays, global uint *hits, global const float *nodes, global const float *blocks, uint root,
-          uint count) {
+probe_any(global const float4 *rays, global uint *hits, global const float *nodes, global const float *blocks,
+          uint root, uint count) {
     const uint begin = get_global_id(0) * RAYS_PER_ITEM;
     for (uint i = begin; i < min(begin + RAYS_PER_ITEM, count); i++)
         hits[i] = (uint)trace_any(load_ray(rays, i), nodes, blocks, root);

@@ -1,4 +1,4 @@
-// Rays, hits, and what a hit point is made of: vertices, barycentrics, position with its rounding error, the way off the surface.
+// Rays, hits, and what follows from a hit: vertices, barycentrics, position with its rounding error, the way off.
 #ifndef NACRE_GEOMETRY_RAY_H
 #define NACRE_GEOMETRY_RAY_H
 
@@ -23,27 +23,35 @@ typedef struct {
     uint primitive;
 } Hit;
 
-// A ray seen from its dominant axis z, after Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": x, y, z are
-// a rotation of the axes, and subtracting (origin + z * slope) from a point puts the ray on the axis x = y = 0.
+// 1 / direction, finite: a component below 1e-18 moves the ray less than rounding does over any distance in a scene.
+float3 ray_reciprocal(float3 direction) {
+    const float3 smallest = copysign((float3)(1e-18f), direction);
+    return 1.0f / select(direction, smallest, fabs(direction) < fabs(smallest));
+}
+
+// A ray seen along its longest axis z, after Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": x, y, z
+// are a rotation of the axes; less `origin` and less z times the slopes, points of the ray have x = y = 0.
 typedef struct {
-    uint x, y, z;     // which axis is which
-    float3 origin;    // in that order
+    uint x, y, z;  // which axis is which
+    float3 origin; // in that order
     float slope_x, slope_y;
-    float rcp_z;      // 1 / direction[z]: distance along the axis -> t
+    float rcp_z; // distance along z -> t
 } Shear;
 
+float3 rotated(float3 v, uint z) { return z == 0u ? v.yzx : z == 1u ? v.zxy : v; }
 float axis_of(float3 v, uint axis) { return axis == 0u ? v.x : axis == 1u ? v.y : v.z; }
 
-Shear shear_of(Ray ray) {
-    const float3 a = fabs(ray.direction);
+Shear shear_of(float3 origin, float3 direction, float3 rcp) {
+    const float3 a = fabs(direction);
     Shear s;
     s.z = a.x >= a.y ? (a.x >= a.z ? 0u : 2u) : (a.y >= a.z ? 1u : 2u);
     s.x = s.z == 2u ? 0u : s.z + 1u;
-    s.y = s.x == 2u ? 0u : s.x + 1u;
-    s.origin = (float3)(axis_of(ray.origin, s.x), axis_of(ray.origin, s.y), axis_of(ray.origin, s.z));
-    s.rcp_z = 1.0f / axis_of(ray.direction, s.z);
-    s.slope_x = axis_of(ray.direction, s.x) * s.rcp_z;
-    s.slope_y = axis_of(ray.direction, s.y) * s.rcp_z;
+    s.y = s.z == 0u ? 2u : s.z - 1u;
+    s.origin = rotated(origin, s.z);
+    s.rcp_z = rotated(rcp, s.z).z;
+    const float3 slopes = rotated(direction, s.z) * s.rcp_z;
+    s.slope_x = slopes.x;
+    s.slope_y = slopes.y;
     return s;
 }
 
@@ -55,7 +63,7 @@ float3 triangle_vertex(global const float *blocks, uint block, uint slot, uint k
 
 // Weights of the three vertices at a hit: each >= 0, sum 1 up to rounding. The arithmetic of traverse_triangle.h.
 float3 hit_barycentrics(Ray ray, global const float *blocks, Hit hit) {
-    const Shear s = shear_of(ray);
+    const Shear s = shear_of(ray.origin, ray.direction, ray_reciprocal(ray.direction));
     float x[3], y[3];
     for (uint k = 0; k < 3u; k++) {
         const float3 v = triangle_vertex(blocks, hit.block, hit.slot, k);
@@ -64,13 +72,13 @@ float3 hit_barycentrics(Ray ray, global const float *blocks, Hit hit) {
         y[k] = fma(-s.slope_y, z, axis_of(v, s.y) - s.origin.y);
     }
     const float3 w = (float3)(x[2] * y[1] - y[2] * x[1], x[0] * y[2] - y[0] * x[2], x[1] * y[0] - y[1] * x[0]);
-    return w * (1.0f / (w.x + w.y + w.z));
+    return w / (w.x + w.y + w.z);
 }
 
 // The point with weights w on the hit triangle, which rounds far less than origin + t * direction. `error` bounds, per
-// component, the rounding of this sum (gamma_7 of the absolute sum: Pharr, Jakob, Humphreys, "Physically Based Rendering",
-// 3rd ed., section 3.9.4) and of the test of a ray that starts here against this same triangle: that sees the vertices
-// relative to the origin, rounded in proportion to the triangle's extent (up to 10 units in the last place; 16 are taken).
+// component, two roundings: of this sum (gamma_7 of the absolute sum: Pharr, Jakob, Humphreys, "Physically Based
+// Rendering", 3rd ed., section 3.9.4), and of a ray that starts here and is tested against this same triangle, whose
+// vertices relative to the ray round in proportion to its extent (by up to 10 u, u = 2^-24; 16 u are taken).
 float3 hit_point(global const float *blocks, Hit hit, float3 w, float3 *error) {
     const float3 v0 = triangle_vertex(blocks, hit.block, hit.slot, 0u);
     const float3 v1 = triangle_vertex(blocks, hit.block, hit.slot, 1u);
@@ -85,7 +93,7 @@ float away_from(float x, float offset) {
     return offset > 0.0f ? nextafter(x, MAXFLOAT) : offset < 0.0f ? nextafter(x, -MAXFLOAT) : x;
 }
 
-// Moves p off its triangle, to the side that `direction` points to, by no more than its error asks for: a ray from there
+// Moves p off its triangle, to the side that `direction` points to, as far as its error asks for: a ray from there
 // cannot meet the triangle again. `ng` is the unit geometric normal, on either side. Section 3.9.5 of the same book.
 float3 offset_point(float3 p, float3 error, float3 ng, float3 direction) {
     const float distance = dot(fabs(ng), error);

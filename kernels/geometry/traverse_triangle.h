@@ -1,4 +1,4 @@
-// One ray against the triangles of a leaf block, without gaps between triangles that share vertices: Woop, Benthin, Wald 2013.
+// One ray against the triangles of a leaf block, without gaps between neighbours: Woop, Benthin, Wald 2013.
 #ifndef NACRE_GEOMETRY_TRAVERSE_TRIANGLE_H
 #define NACRE_GEOMETRY_TRAVERSE_TRIANGLE_H
 
@@ -20,11 +20,11 @@ RowVertex sheared_vertex(const Shear *s, global const float *rows) {
     return v;
 }
 
-// Twice the signed area of (0, a, b). Never with fma: both products round alike, so that the sign is right or the value 0,
-// and the edge seen from the neighbour, b to a, is exactly the negative.
+// Twice the signed area of (0, a, b). Never with fma: both products round alike, so that the sign is right or the value
+// is 0, and the edge seen from the neighbour, b to a, is exactly the negative.
 Row edge_function(RowVertex a, RowVertex b) { return a.x * b.y - a.y * b.x; }
 
-// Bits of the triangles, from `block` (+ slot) on, that the ray meets with t_min < t <= t_max; t = *distance / *area there.
+// Bits of the triangles, from `block` (+ slot) on, that the ray meets with t_min < t <= t_max; t = *distance / *area.
 // Points on edges belong to both triangles, triangles without area to none.
 uint triangles_hit(const Shear *s, global const float *block, float t_min, float t_max, Row *distance, Row *area) {
     const RowVertex a = sheared_vertex(s, block);
