@@ -59,8 +59,8 @@ double bear(V p) {
     ear = carve(ear, ellipsoid(turn(p - V{0.35, 1.72, 0.09}, 0, 34), {0.115, 0.13, 0.055}), 0.06);
     head = blend(head, ear, 0.1);
     head = blend(head, ellipsoid(p - V{0, 1.27, 0.37}, {0.20, 0.155, 0.17}), 0.11);    // muzzle
-    head = blend(head, ellipsoid(p - V{0, 1.35, 0.53}, {0.08, 0.055, 0.05}), 0.04);    // nose
-    head = carve(head, ellipsoid(p - V{0.165, 1.46, 0.41}, {0.05, 0.06, 0.07}), 0.04); // eye
+    head = blend(head, ellipsoid(p - V{0, 1.36, 0.50}, {0.09, 0.065, 0.065}), 0.06);   // nose
+    head = carve(head, ellipsoid(p - V{0.165, 1.46, 0.40}, {0.06, 0.07, 0.10}), 0.04); // eye
     d = blend(d, head, 0.2);
     return carve(d, p.y, 0.10); // flat where it stands
 }
