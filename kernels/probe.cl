@@ -16,7 +16,7 @@ typedef struct {
     float4 sigma, albedo;
     float anisotropy, bleed, thickness; // thickness: slab; 0: half-space; < 0: sphere of radius -thickness
     float a, b, c;                      // free parameters of the other probes
-    uint seed, first, reciprocal, entry, count, pad;
+    uint seed, first, reciprocal, entry, count, cap; // cap: scatters after which a walk ends, 0: never
 } Probe;
 
 real lane_unit(natural bits) {
@@ -137,7 +137,7 @@ float body_exit(float thickness, float3 p, float3 d, bool *back) {
     }
     if (d.z < 0.0f) return p.z / -d.z;
     *back = thickness > 0.0f && d.z > 0.0f;
-    return *back ? (thickness - p.z) / d.z : MAXFLOAT;
+    return *back ? (thickness - p.z) / d.z : INFINITY;
 }
 
 // `count` walks per work-item. out, per work-item: [0] sum of what leaves on the entry's side (rgb; count of walks that left
@@ -171,7 +171,8 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
         float length = 0.0f;
         for (;;) {
             const uint4 words = draw_bits(sampler, DRAW_WALK, walk.steps);
-            walk_choose(scene, &walk, random_unit(words.w));
+            if (walk_chooses(scene))
+                walk_choose(scene, &walk, random_unit(draw_bits(sampler, DRAW_WALK_CHANNEL, walk.steps).x));
             const float distance = walk_distance(scene, &walk, walk.steps == 0u ? first.y : random_unit(words.x));
             bool back;
             const float exit = body_exit(probe.thickness, (float3)(walk.position.x, walk.position.y, walk.position.z),
@@ -194,7 +195,11 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
             }
             length += distance;
             walk_scatter(scene, &walk, distance, random_unit(words.y), random_unit(words.z));
-            if (!bits(walk_roulette(&walk, random_unit(draw_bits(sampler, DRAW_WALK_ROULETTE, walk.steps).x)))) break;
+            if (!bits(walk_roulette(&walk, random_unit(words.w)))) {
+                if (!(walk.weight.x >= 0.0f)) near.x = NAN; // shows in the test
+                break;
+            }
+            if (walk.steps == probe.cap) break;
         }
     }
     global float4 *sum = out + 6u * get_global_id(0);

@@ -26,7 +26,9 @@ float3 hit_normal(const Scene *scene, Hit hit) {
 float3 mapped_normal(const Scene *scene, global const Material *material, const Surface *surface, float3 n,
                      const float3 *v, const float2 *uv) {
     const float3 e1 = v[1] - v[0], e2 = v[2] - v[0];
-    const float2 d1 = uv[1] - uv[0], d2 = uv[2] - uv[0];
+    global const Texture *texture = scene->textures + material->texture[PARAMETER_geometry_normal];
+    const float2 scale = (float2)(texture->scale_u, texture->scale_v);
+    const float2 d1 = (uv[1] - uv[0]) * scale, d2 = (uv[2] - uv[0]) * scale;
     const float area = d1.x * d2.y - d1.y * d2.x;
     if (area == 0.0f) return n; // no tangent where the picture is collapsed
     const float3 along = (e1 * d2.y - e2 * d1.y) / area;

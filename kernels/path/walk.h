@@ -91,7 +91,8 @@ uint path_walk(const Scene *scene, Path *path, uint budget, Counts *counts) {
     while (steps < budget && path->state == PATH_WALK) {
         steps += 1u;
         const uint4 words = draw_bits(sampler, DRAW_WALK, walk.steps);
-        walk_choose(scene, &walk, random_unit(words.w));
+        if (walk_chooses(scene))
+            walk_choose(scene, &walk, random_unit(draw_bits(sampler, DRAW_WALK_CHANNEL, walk.steps).x));
         const float number = walk.steps == 0u ? path->first_number : random_unit(words.x);
         const float length = walk_distance(scene, &walk, number);
         const float3 origin = scalar3(walk.position), direction = scalar3(walk.direction);
@@ -121,7 +122,9 @@ uint path_walk(const Scene *scene, Path *path, uint budget, Counts *counts) {
             break;
         }
         walk_scatter(scene, &walk, length, random_unit(words.y), random_unit(words.z));
-        if (!(bits(walk_roulette(&walk, random_unit(draw_bits(sampler, DRAW_WALK_ROULETTE, walk.steps).x))))) {
+        if (!bits(walk_roulette(&walk, random_unit(words.w)))) {
+            const float sum = walk.weight.x + walk.weight.y + walk.weight.z;
+            if (!isfinite(sum)) path->radiance.xyz = sum; // so that it is counted, not hidden
             path_lose(path, counts, COUNTER_roulette);
             break;
         }

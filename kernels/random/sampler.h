@@ -17,8 +17,8 @@ typedef enum {
     DRAW_LIGHT_POINT,
     DRAW_TEXEL,      // of an environment image
     DRAW_ROULETTE,
-    DRAW_WALK,       // one per scatter: flight, cosine, azimuth, channel
-    DRAW_WALK_ROULETTE,
+    DRAW_WALK,       // one per flight of a walk: length, cosine, azimuth, roulette
+    DRAW_WALK_CHANNEL,
     DRAW_COUNT
 } Draw;
 

@@ -74,11 +74,13 @@ void walk_begin(const Scene *scene, Walk *walk, real xi) {
     }
 }
 
-// The modes that draw a channel for every flight do it here, before the flight.
+// The modes that draw a channel for every flight do it in walk_choose, before the flight.
+bool walk_chooses(const Scene *scene) {
+    return scene->frame->channel_sampling == CHANNEL_ALBEDO || scene->frame->channel_sampling == CHANNEL_THROUGHPUT;
+}
+
 void walk_choose(const Scene *scene, Walk *walk, real xi) {
-    const int mode = scene->frame->channel_sampling;
-    if (mode != CHANNEL_ALBEDO && mode != CHANNEL_THROUGHPUT) return;
-    real3 share = mode == CHANNEL_ALBEDO ? walk->albedo : walk->weight;
+    real3 share = scene->frame->channel_sampling == CHANNEL_ALBEDO ? walk->albedo : walk->weight;
     share.x += 1e-30f; // a black medium: any channel will do
     share.y += 1e-30f;
     share.z += 1e-30f;
@@ -136,11 +138,13 @@ void walk_scatter(const Scene *scene, Walk *walk, real distance, real xi_cosine,
     walk->steps += 1u;
 }
 
-// Russian roulette on the largest weight, never on the drawn channel's. Returns who survives.
+// Russian roulette on the largest weight, never on the drawn channel's. Returns who survives: no NaN does, so that every
+// walk ends.
 mask walk_roulette(Walk *walk, real xi) {
-    const real heaviest = largest(walk->weight);
+    const real sum = walk->weight.x + walk->weight.y + walk->weight.z;
+    const real heaviest = pick(sum >= 0.0f, largest(walk->weight), (real)(-1.0f));
     const mask plays = heaviest < WALK_ROULETTE;
-    const mask survives = (mask)(!plays) | (mask)(xi * WALK_ROULETTE < heaviest);
+    const mask survives = xi * WALK_ROULETTE < heaviest;
     const real scale = pick(plays && survives, WALK_ROULETTE / heaviest, (real)(1.0f));
     walk->weight.x *= scale;
     walk->weight.y *= scale;

@@ -1,0 +1,102 @@
+#include "device/probe.h"
+#include "shared/features.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace nacre::test {
+namespace {
+
+using namespace shared;
+
+static_assert(sizeof(Probe) == 80, "as in probe.cl");
+
+const device::Device &the_device() {
+    static const device::Device device = device::open_device();
+    return device;
+}
+
+const cl::Program &program_for(std::uint32_t features) {
+    static std::map<std::uint32_t, cl::Program> programs;
+    const auto found = programs.find(features);
+    if (found != programs.end()) return found->second;
+    device::Variant variant;
+    variant.entry = "probe.cl";
+    variant.features = features;
+    return programs[features] = device::build(the_device(), variant).program;
+}
+
+Estimate estimate(const std::vector<float> &values, std::size_t width, std::size_t at, double scale) {
+    const std::size_t n = values.size() / width;
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += values[i * width + at] * scale;
+    const double mean = sum / double(n);
+    for (std::size_t i = 0; i < n; ++i) squares += std::pow(values[i * width + at] * scale - mean, 2);
+    return {mean, std::sqrt(squares / double(n - 1) / double(n))};
+}
+
+} // namespace
+
+std::vector<float> run_probe(const char *name, const Probe &probe, std::size_t items, std::size_t width,
+                             ChannelSampling sampling) {
+    const device::Device &device = the_device();
+    std::uint32_t features = FEATURE_SUBSURFACE;
+    if (probe.bleed > 0) features |= FEATURE_BLEED;
+    if (probe.anisotropy != 0) features |= FEATURE_ANISOTROPY;
+    Frame frame{};
+    frame.features = features;
+    frame.channel_sampling = sampling;
+    const cl::Buffer frames(device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof frame, &frame);
+    const cl::Buffer out(device.context, CL_MEM_READ_WRITE, items * width * sizeof(float));
+    cl::Kernel kernel(program_for(features), name);
+    kernel.setArg(0, frames);
+    kernel.setArg(1, sizeof probe, &probe);
+    kernel.setArg(2, out);
+    const std::size_t group = std::size_t(device.quirks.work_group);
+    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((items + group - 1) / group * group),
+                                      cl::NDRange(group));
+    std::vector<float> values(items * width);
+    device.queue.enqueueReadBuffer(out, true, 0, values.size() * sizeof(float), values.data());
+    return values;
+}
+
+Walks run_walks(Probe probe, std::uint32_t walks, ChannelSampling sampling) {
+    constexpr std::size_t items = 2048, width = 24;
+    probe.count = std::max<std::uint32_t>(1, walks / items);
+    const std::vector<float> values = run_probe("probe_walk", probe, items, width, sampling);
+    const double scale = 1.0 / probe.count;
+    Walks result;
+    for (std::size_t c = 0; c < 3; ++c) {
+        result.near[c] = estimate(values, width, c, scale);
+        result.far[c] = estimate(values, width, 8 + c, scale);
+    }
+    result.unscattered = estimate(values, width, 3, scale);
+    result.length = estimate(values, width, 15, scale);
+    for (std::size_t n = 0; n < 8; ++n) result.by_scatters[n] = estimate(values, width, 16 + n, scale);
+    for (std::size_t i = 0; i < items; ++i) result.largest = std::max(result.largest, double(values[i * width + 11]));
+    return result;
+}
+
+Walks run_walks_to(Probe probe, double largest_error, ChannelSampling sampling) {
+    Walks sum = run_walks(probe, 1 << 17, sampling);
+    for (int rounds = 1;; ++rounds) {
+        double worst = 0;
+        for (const Estimate &channel : sum.near) worst = std::max(worst, channel.error);
+        if (worst <= largest_error) return sum;
+        ++probe.seed;
+        const Walks more = run_walks(probe, 1 << 17, sampling);
+        for (std::size_t c = 0; c < 3; ++c) {
+            sum.near[c].mean += (more.near[c].mean - sum.near[c].mean) / (rounds + 1);
+            sum.near[c].error = std::hypot(sum.near[c].error * rounds, more.near[c].error) / (rounds + 1);
+        }
+        sum.largest = std::max(sum.largest, more.largest);
+    }
+}
+
+void expect_exact(const Estimate &found, double exact, double largest_error, const char *what) {
+    EXPECT_LE(std::abs(found.mean - exact), 4 * found.error)
+        << what << ": found " << found.mean << " +- " << found.error << ", exact " << exact;
+    EXPECT_LE(found.error, largest_error) << what << ": too few walks";
+}
+
+} // namespace nacre::test
