@@ -30,7 +30,8 @@ std::uint32_t Maps::decode(std::span<const unsigned char> bytes, const std::stri
 }
 
 int Maps::add(scene::Texture texture, bool numeric) {
-    if (numeric && texture.channel < 0) texture.channel = 0;
+    // A grey image has one channel, which is red, green and blue at once.
+    if (numeric && (texture.channel < 0 || scene.images[texture.image].channels == 1)) texture.channel = 0;
     scene.textures.push_back(texture);
     return static_cast<int>(scene.textures.size()) - 1;
 }

@@ -13,7 +13,8 @@ scene::Mesh load_obj(const std::filesystem::path &file, std::vector<std::string>
 /// convex polygons. Throws Error{Exit::input}.
 scene::Mesh load_ply(const std::filesystem::path &file);
 
-/// Throws Error{Exit::input} where a mesh has no triangles, an index out of range or a position that is not finite.
+/// Throws Error{Exit::input} where a mesh has no triangles, an index out of range, or a position or uv that is
+/// not finite.
 void check_mesh(const scene::Mesh &mesh, const std::string &subject);
 
 } // namespace nacre::io

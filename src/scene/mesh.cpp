@@ -5,7 +5,9 @@
 namespace nacre::scene {
 
 void apply(Mesh &mesh, const Transform &transform) {
-    const Eigen::Matrix3d linear = transform.linear();
+    // Only directions count below; without this the determinant of a scale of 1e-120 would underflow.
+    const double largest = transform.linear().cwiseAbs().maxCoeff();
+    const Eigen::Matrix3d linear = largest > 0 ? (transform.linear() / largest).eval() : transform.linear().eval();
     // Normals are covectors: they go with the inverse transpose. The cofactor matrix is det * inverse transpose, so
     // it has the right direction up to the sign of det, and needs no division: flattening transforms are no problem.
     Eigen::Matrix3d cofactor;
@@ -14,9 +16,6 @@ void apply(Mesh &mesh, const Transform &transform) {
     cofactor.col(2) = linear.col(0).cross(linear.col(1));
     const bool mirrors = linear.determinant() < 0;
     if (mirrors) cofactor = -cofactor;
-    // Only the direction counts; without this a scale of 1e-30 would underflow.
-    const double largest = cofactor.cwiseAbs().maxCoeff();
-    if (largest > 0) cofactor /= largest;
 
     for (Vec3 &position : mesh.positions) position = transform * position;
     for (Vec3f &normal : mesh.normals) {

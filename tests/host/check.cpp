@@ -1,0 +1,123 @@
+#include "scene/check.h"
+#include "scene/topology.h"
+#include <gtest/gtest.h>
+
+namespace nacre::scene {
+namespace {
+
+// A scene in which nothing is to be found, to spoil in one way each.
+Scene good_scene() {
+    Scene scene;
+    scene.file = "scene.json";
+    scene.materials.emplace_back().name = "skin";
+    scene.materials[0][shared::PARAMETER_subsurface_weight].value.setConstant(1);
+    scene.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(0.05);
+    scene.objects.push_back({"ball", make_sphere({0, 0, 0}, 1, 16), 0, 0});
+    scene.lights.emplace_back();
+    return scene;
+}
+
+// The only finding, of `subject`, says `fragment`.
+void expect_finding(const Scene &scene, const std::string &subject, const std::string &fragment) {
+    const std::vector<Finding> findings = check(scene);
+    ASSERT_EQ(findings.size(), 1u) << fragment;
+    EXPECT_EQ(findings[0].subject, subject);
+    EXPECT_NE(findings[0].text.find(fragment), std::string::npos) << findings[0].text;
+}
+
+TEST(Check, FindsNothingInAGoodScene) {
+    for (const Finding &finding : check(good_scene())) ADD_FAILURE() << finding.subject << ": " << finding.text;
+}
+
+TEST(Check, CountsOpenEdges) {
+    Scene scene = good_scene();
+    scene.objects[0].mesh.triangles.pop_back();
+    expect_finding(scene, "ball", "3 open edges");
+}
+
+TEST(Check, CountsNonManifoldEdges) {
+    Scene scene = good_scene();
+    Mesh &mesh = scene.objects[0].mesh;
+    mesh = make_box({0, 0, 0}, {1, 1, 1});
+    Mesh second = make_box({1, 1, 0}, {2, 2, 1}); // touches along one edge
+    for (auto &[a, b, c] : second.triangles) a += 24, b += 24, c += 24;
+    mesh.positions.insert(mesh.positions.end(), second.positions.begin(), second.positions.end());
+    mesh.triangles.insert(mesh.triangles.end(), second.triangles.begin(), second.triangles.end());
+    mesh.uvs.clear();
+    expect_finding(scene, "ball", "1 edges have more than two triangles");
+}
+
+TEST(Check, FindsInconsistentWinding) {
+    Scene scene = good_scene();
+    std::swap(scene.objects[0].mesh.triangles[40][0], scene.objects[0].mesh.triangles[40][1]);
+    scene.objects[0].mesh.normals.clear();
+    expect_finding(scene, "ball", "3 edges lie between triangles of opposite winding");
+}
+
+TEST(Check, FindsShellsTurnedInsideOut) {
+    Scene scene = good_scene();
+    for (auto &triangle : scene.objects[0].mesh.triangles) std::swap(triangle[0], triangle[1]);
+    scene.objects[0].mesh.normals.clear();
+    expect_finding(scene, "ball", "inside out: 1 of 1 shells (224 triangles)");
+}
+
+TEST(Check, ACavityIsNotInsideOut) {
+    Scene scene = good_scene();
+    Mesh &mesh = scene.objects[0].mesh;
+    Mesh cavity = make_sphere({0.1, 0, 0}, 0.5, 16);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto &[a, b, c] : cavity.triangles) mesh.triangles.push_back({b + first, a + first, c + first});
+    mesh.positions.insert(mesh.positions.end(), cavity.positions.begin(), cavity.positions.end());
+    mesh.normals.clear();
+    mesh.uvs.clear();
+    ASSERT_EQ(find_topology(mesh).shells.size(), 2u);
+    for (const Finding &finding : check(scene)) ADD_FAILURE() << finding.text;
+}
+
+TEST(Check, FindsNormalsOnTheWrongSide) {
+    Scene scene = good_scene();
+    scene.objects[0].mesh.normals[40] *= -1;
+    expect_finding(scene, "ball", "triangles have a vertex normal on their other side");
+}
+
+TEST(Check, RepeatsWhatWasDroppedAndNotUsed) {
+    Scene dropped = good_scene();
+    dropped.objects[0].degenerate = 7;
+    expect_finding(dropped, "ball", "7 triangles without area");
+    Scene warned = good_scene();
+    warned.warnings.push_back("head.glb: animations are not used");
+    expect_finding(warned, "scene.json", "head.glb: animations");
+}
+
+TEST(Check, ComparesTheMeanFreePathWithTheSize) {
+    Scene clear = good_scene();
+    clear.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(2);
+    expect_finding(clear, "ball", "looks transparent; did you mean subsurface_radius = 0.04?");
+    Scene dense = good_scene(); // the blue path is a quarter of the radius
+    dense.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(1e-4);
+    dense.materials[0][shared::PARAMETER_subsurface_radius_scale].value = Vec3(1, 1, 0.1);
+    expect_finding(dense, "ball", "looks like paint; did you mean subsurface_radius = 0.04?");
+    clear.materials[0][shared::PARAMETER_subsurface_weight].value.setZero(); // not used, so not wrong
+    EXPECT_TRUE(check(clear).empty());
+}
+
+TEST(Check, TexturesNeedUvs) {
+    Scene scene = good_scene();
+    scene.materials[0][shared::PARAMETER_base_color].texture = 0;
+    EXPECT_TRUE(check(scene).empty());
+    scene.objects[0].mesh.uvs.clear();
+    expect_finding(scene, "ball", "has textures, the mesh has no uvs");
+}
+
+TEST(Check, FindsDarkness) {
+    Scene scene = good_scene();
+    scene.lights[0].radiance.setZero();
+    expect_finding(scene, "scene.json", "has no light");
+    scene.lights.clear();
+    expect_finding(scene, "scene.json", "has no light");
+    scene.materials[0][shared::PARAMETER_emission_luminance].value.setConstant(1);
+    EXPECT_TRUE(check(scene).empty());
+}
+
+} // namespace
+} // namespace nacre::scene
