@@ -91,11 +91,15 @@ Device open_device(const std::string &selector) {
     Device result;
     result.info = select(devices, !selector.empty() ? selector : environment ? environment : "");
     result.quirks = quirks_of(result.info);
-    try {
-        result.context = cl::Context(result.info.device);
-        result.queue = cl::CommandQueue(result.context, result.info.device, CL_QUEUE_PROFILING_ENABLE);
-    } catch (const cl::Error &error) {
-        throw device_error(result.info.name, error);
+    for (const bool again : {false, true}) {
+        try {
+            result.context = cl::Context(result.info.device);
+            result.queue = cl::CommandQueue(result.context, result.info.device, CL_QUEUE_PROFILING_ENABLE);
+            break;
+        } catch (const cl::Error &error) {
+            if (again) throw device_error(result.info.name, error);
+            wipe_pocl_cache(); // a broken cache keeps PoCL from making a context
+        }
     }
     return result;
 }

@@ -38,9 +38,9 @@ Estimate estimate(const std::vector<float> &values, std::size_t width, std::size
 } // namespace
 
 std::vector<float> run_probe(const char *name, const Probe &probe, std::size_t items, std::size_t width,
-                             ChannelSampling sampling) {
+                             ChannelSampling sampling, std::uint32_t features, const std::vector<float> &initial) {
     const device::Device &device = the_device();
-    std::uint32_t features = FEATURE_SUBSURFACE;
+    features |= FEATURE_SUBSURFACE;
     if (probe.bleed > 0) features |= FEATURE_BLEED;
     if (probe.anisotropy != 0) features |= FEATURE_ANISOTROPY;
     Frame frame{};
@@ -48,6 +48,8 @@ std::vector<float> run_probe(const char *name, const Probe &probe, std::size_t i
     frame.channel_sampling = sampling;
     const cl::Buffer frames(device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof frame, &frame);
     const cl::Buffer out(device.context, CL_MEM_READ_WRITE, items * width * sizeof(float));
+    if (!initial.empty())
+        device.queue.enqueueWriteBuffer(out, true, 0, initial.size() * sizeof(float), initial.data());
     cl::Kernel kernel(program_for(features), name);
     kernel.setArg(0, frames);
     kernel.setArg(1, sizeof probe, &probe);

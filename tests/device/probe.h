@@ -17,9 +17,11 @@ struct Probe {
     std::uint32_t cap = 0; // walks end after so many scatters, 0: never
 };
 
-/// Runs a kernel of probe.cl with only the features that the probe needs; returns `items` x `width` floats.
+/// Runs a kernel of probe.cl with the features that the probe needs and `features`; returns `items` x `width` floats.
+/// `initial`: what the kernel finds there, for those that read.
 std::vector<float> run_probe(const char *kernel, const Probe &probe, std::size_t items, std::size_t width,
-                             shared::ChannelSampling sampling = shared::CHANNEL_HERO);
+                             shared::ChannelSampling sampling = shared::CHANNEL_HERO, std::uint32_t features = 0,
+                             const std::vector<float> &initial = {});
 
 /// A mean and its standard error.
 struct Estimate {

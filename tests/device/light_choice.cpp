@@ -1,0 +1,119 @@
+// Lights are drawn by their power, points on them evenly, and what is drawn is divided by its chance.
+#include "device/chi_square.h"
+#include "device/light_probe.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace nacre::test {
+namespace {
+
+using namespace shared;
+
+constexpr std::uint32_t samples = 1 << 20;
+
+double luminance(const Vec3 &c) { return c.dot(Vec3(.2126, .7152, .0722)); }
+
+TEST(LightChoice, PointsByTheirIntensity) {
+    scene::Scene scene = scene_with_box();
+    const Vec3 from(0, 3, 0);
+    std::vector<double> shares;
+    for (int i = 0; i < 37; ++i) {
+        scene::Light light;
+        light.kind = LIGHT_POINT;
+        light.position = from + Vec3(std::cos(i * .17), std::sin(i * .17), .05 * i);
+        // The fifth is dark, the last as bright as all the others.
+        light.radiance = i == 5 ? Vec3(0, 0, 0) : i == 36 ? Vec3(50, 60, 1) : Vec3(1 + i % 3, .1 * i, 2);
+        scene.lights.push_back(light);
+        shares.push_back(luminance(light.radiance));
+    }
+    scene::Light sky; // constant: never drawn
+    scene.lights.insert(scene.lights.begin() + 3, sky);
+    double total = 0;
+    for (const double share : shares) total += share;
+
+    std::vector<std::uint64_t> observed(shares.size());
+    for (const LightDraw &draw : draw_lights(scene, from, samples, 1)) {
+        ASSERT_GT(draw.distance, 0);
+        ASSERT_EQ(draw.density, 0);
+        std::size_t nearest = 0;
+        double least = 10;
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            const Vec3 to = scene.lights[i < 3 ? i : i + 1].position - from;
+            if ((to - draw.direction * draw.distance).norm() < least) {
+                least = (to - draw.direction * draw.distance).norm();
+                nearest = i;
+            }
+        }
+        ++observed[nearest];
+        const scene::Light &light = scene.lights[nearest < 3 ? nearest : nearest + 1];
+        const Vec3 exact = light.radiance / (light.position - from).squaredNorm() * total / shares[nearest];
+        ASSERT_LE((draw.radiance - exact).norm(), 2e-5 * exact.norm()) << nearest;
+    }
+    EXPECT_EQ(observed[5], 0u);
+    expect_distribution(observed, shares, "37 points");
+}
+
+/// Where a draw lies in the parallelogram of `corner`, `u`, `v`.
+Vec2 place(const LightDraw &draw, const Vec3 &from, const Vec3 &corner, const Vec3 &u, const Vec3 &v) {
+    const Vec3 at = from + draw.direction * draw.distance - corner, n = u.cross(v);
+    return {at.cross(v).dot(n) / n.squaredNorm(), u.cross(at).dot(n) / n.squaredNorm()};
+}
+
+/// Checks that draws are even over the parallelogram, and that 1 / density adds up to the solid angle.
+void check_flat(const std::vector<LightDraw> &draws, const Vec3 &from, const Vec3 &corner, const Vec3 &u, const Vec3 &v,
+                const Vec3 &radiance, const char *what) {
+    std::vector<double> a, b;
+    double sum = 0, squares = 0;
+    for (const LightDraw &draw : draws) {
+        ASSERT_GT(draw.density, 0);
+        const Vec2 at = place(draw, from, corner, u, v);
+        a.push_back(at.x());
+        b.push_back(at.y());
+        ASSERT_LE((draw.radiance * draw.density - radiance).norm(), 1e-5 * radiance.norm());
+        sum += 1 / draw.density;
+        squares += 1 / (draw.density * draw.density);
+    }
+    expect_uniform(a, b, 32, what);
+    double solid_angle = 0; // midpoints of 400 x 400 parts
+    for (int i = 0; i < 160000; ++i) {
+        const Vec3 to = corner + (i / 400 + .5) / 400 * u + (i % 400 + .5) / 400 * v - from;
+        solid_angle += std::abs(to.dot(u.cross(v))) / std::pow(to.norm(), 3) / 160000;
+    }
+    const double n = double(draws.size()), mean = sum / n;
+    EXPECT_NEAR(mean, solid_angle, 4 * std::sqrt((squares / n - mean * mean) / n)) << what;
+}
+
+TEST(LightChoice, RectsAreEvenlyCovered) {
+    scene::Scene scene = scene_with_box();
+    scene::Light rect;
+    rect.kind = LIGHT_RECT;
+    rect.position = {.3, 3, -.2};
+    rect.u = {2, 0, .5}; // skewed: a parallelogram
+    rect.v = {.7, .2, 1};
+    if (rect.u.cross(rect.v).y() > 0) std::swap(rect.u, rect.v); // emits downwards
+    rect.radiance = {3, 2, 1};
+    scene.lights = {rect};
+    const Vec3 from(0, 1.5, 0);
+    check_flat(draw_lights(scene, from, samples, 2), from, rect.position - .5 * (rect.u + rect.v), rect.u, rect.v,
+               rect.radiance, "rect");
+    for (const LightDraw &draw : draw_lights(scene, {0, 5, 0}, 64, 2)) EXPECT_EQ(draw.distance, 0) << "from behind";
+}
+
+// A square of two triangles of different size (its corner is cut): even only if both are drawn by their area.
+TEST(LightChoice, EmittingTrianglesAreEvenlyCovered) {
+    scene::Scene scene = scene_with_box();
+    scene::Material glow;
+    glow[PARAMETER_emission_luminance].value = Vec3::Constant(2);
+    glow[PARAMETER_emission_color].value = {1, .5, .25};
+    scene.materials.push_back(glow);
+    scene::Mesh square;
+    square.positions = {{-1, 3, -1}, {1, 3, -1}, {1, 3, 1}, {-1, 3, 1}, {0, 3, -1}};
+    square.triangles = {{0, 4, 3}, {4, 2, 3}, {4, 1, 2}}; // counter-clockwise from below
+    scene.objects.push_back({"square", square, 1, 0});
+    const Vec3 from(.2, 1.5, .3);
+    check_flat(draw_lights(scene, from, samples, 3), from, {-1, 3, -1}, {2, 0, 0}, {0, 0, 2}, {2, 1, .5}, "triangles");
+}
+
+} // namespace
+} // namespace nacre::test
