@@ -81,7 +81,9 @@ int read_gltf_texture(const GltfFile &file, const Json &info, ColorSpace space, 
     const Json &source = gltf_element(file, "textures", gltf_index(info, "index", where));
     scene::Texture texture;
     texture.channel = channel;
-    texture.image = load_image(file, gltf_index(source, "source", where), space, maps);
+    const int image = gltf_index(source, "source", where);
+    if (image < 0) input_error(where, "its texture has no image of a format that plain glTF knows (PNG or JPEG)");
+    texture.image = load_image(file, image, space, maps);
     read_transform(info, where, texture, warnings);
     if (gltf_index(info, "texCoord", where) > 0) warnings.push_back(where + ": only the first set of uvs is used");
     if (const int sampler = gltf_index(source, "sampler", where); sampler >= 0) {

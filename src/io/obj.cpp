@@ -92,6 +92,8 @@ scene::Mesh load_obj(const std::filesystem::path &file, std::vector<std::string>
     }
     if (!attributes.normals.empty() && unifier.missing_normals)
         warnings.push_back(subject + ": some faces have no normals, so those of the others are not used");
+    if (warning.find("not found in .mtl") != std::string::npos)
+        warnings.push_back(subject + ": its materials are not used");
     return unifier.finish();
 }
 

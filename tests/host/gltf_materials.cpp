@@ -14,7 +14,7 @@ class GltfMaterials : public SceneFolder {
         GltfBuilder builder;
         builder.json["materials"] = Json::array({Json::parse(material)});
         builder.json["images"] = {{{"uri", "red.ppm"}}};
-        builder.json["textures"] = {{{"source", 0}}};
+        builder.json["textures"] = {{{"source", 0}}, {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
         builder.add_node({{"mesh", builder.add_tetrahedron(0)}});
         put(folder / "red.ppm", red_pixel);
         put(folder / "s.glb", builder.glb());
@@ -142,6 +142,7 @@ TEST_F(GltfMaterials, BadOnesAreErrors) {
     expect_error(R"({"pbrMetallicRoughness": {"roughnessFactor": "r"}})", "roughnessFactor: expected a number");
     expect_error(R"({"pbrMetallicRoughness": {"baseColorFactor": [1, "g", 1]}})", "baseColorFactor: expected three");
     expect_error(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 5}}})", "textures: there is no element 5");
+    expect_error(R"({"normalTexture": {"index": 1}})", "normalTexture: its texture has no image");
     expect_error(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 1e30}}})", "is not an index");
     expect_error(R"({"pbrMetallicRoughness": {"baseColorTexture": {}}})", "textures: there is no element -1");
     expect_error(R"({"extensions": {"KHR_materials_ior": {"ior": 0.5}}})", "specular_ior: 0.5 is out of range");

@@ -56,8 +56,11 @@ TEST_F(Obj, OverridesReachTheDefaultsOfABareMesh) {
 
 TEST_F(Obj, PositionsNormalsAndUvsAreOneIndex) {
     put(folder / "m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\nvn 0 1 0\n"
-                          "usemtl none\nf 1/1/1 2/2/1 3/3/1 4/4/1\nf -4/1/2 -3/2/2 -2/3/2\n");
-    const scene::Mesh mesh = load("m.obj").objects[0].mesh;
+                          "usemtl bark\nf 1/1/1 2/2/1 3/3/1 4/4/1\nf -4/1/2 -3/2/2 -2/3/2\n");
+    const scene::Scene s = load("m.obj");
+    ASSERT_EQ(s.warnings.size(), 1u);
+    EXPECT_NE(s.warnings[0].find("materials are not used"), std::string::npos);
+    const scene::Mesh &mesh = s.objects[0].mesh;
     EXPECT_EQ(mesh.triangles.size(), 3u);
     EXPECT_EQ(mesh.positions.size(), 7u); // four, and three again with another normal
     ASSERT_EQ(mesh.uvs.size(), 7u);
