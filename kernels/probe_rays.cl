@@ -39,3 +39,29 @@ probe_any(global const float4 *rays, global uint *hits, global const float *node
     for (uint i = begin; i < min(begin + RAYS_PER_ITEM, count); i++)
         hits[i] = (uint)trace_any(load_ray(rays, i), nodes, blocks, root);
 }
+
+// Traces a ray and, from where it hits, another one along `directions` (3 floats each), off the surface on whichever side
+// it points to. bounces: both primitives, t of the second, its cosine with the first's counter-clockwise normal.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void
+probe_bounce(global const float4 *rays, global uint4 *bounces, global const float *nodes, global const float *blocks,
+             uint root, uint count, global const float *directions) {
+    const uint begin = get_global_id(0) * RAYS_PER_ITEM;
+    for (uint i = begin; i < min(begin + RAYS_PER_ITEM, count); i++) {
+        Ray ray = load_ray(rays, i);
+        const Hit hit = trace_closest(ray, nodes, blocks, root);
+        bounces[i] = (uint4)(hit.primitive, BVH_NO_PRIMITIVE, 0u, 0u);
+        if (hit.primitive == BVH_NO_PRIMITIVE) continue;
+
+        float3 error;
+        const float3 p = hit_point(blocks, hit, hit_barycentrics(ray, blocks, hit), &error);
+        const float3 v0 = triangle_vertex(blocks, hit.block, hit.slot, 0u);
+        const float3 ng = normalize(cross(triangle_vertex(blocks, hit.block, hit.slot, 1u) - v0,
+                                          triangle_vertex(blocks, hit.block, hit.slot, 2u) - v0));
+        ray.direction = vload3(i, directions);
+        ray.origin = offset_point(p, error, ng, ray.direction);
+        ray.t_min = 0.0f;
+        ray.t_max = MAXFLOAT;
+        const Hit next = trace_closest(ray, nodes, blocks, root);
+        bounces[i] = (uint4)(hit.primitive, next.primitive, as_uint(next.t), as_uint(dot(ng, ray.direction)));
+    }
+}

@@ -11,7 +11,7 @@
 // - A vertex relative to the ray, in the triangle test: 5 u |v - origin|, 9 u where division is only good to 2.5 ulp.
 // - origin * rcp in the shift: as if the origin moved by u |origin|.
 // - rcp and the fma: 3 u, or 7 u, of t, for a near and for a far plane: as if each moved by that share of its distance.
-// In sum less than 17 u (extent + |origin|). Near planes move that much (and half more) towards the ray's origin, far ones
+// In sum less than 17 u (extent + |origin|). Near planes move that much (and half more) towards the origin, far ones
 // away from it, which costs nothing per node. A slab test with bounds relative to t (Ize 2013) is not enough: it misses
 // what the triangle test hits beside a box that is nearer than its triangles are large.
 #define SLAB_SLACK 1.6e-6f
