@@ -137,6 +137,11 @@ void path_scatter(const Scene *scene, Path *path, global const Material *materia
 // Ends paths of little throughput, without bias.
 void path_roulette(const Scene *scene, Path *path, Counts *counts) {
     const float heaviest = largest3(path->throughput.xyz);
+    if (!isfinite(path->throughput.x + path->throughput.y + path->throughput.z)) {
+        path->radiance.xyz = path->throughput.xyz; // it will be counted; going on might never end
+        path->state = PATH_DONE;
+        return;
+    }
     if (path->hits < PATH_ROULETTE_START && heaviest > 0.0f) return;
     if (heaviest >= 1.0f) return;
     const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);

@@ -86,7 +86,9 @@ uint path_walk(const Scene *scene, Path *path, uint budget, Counts *counts) {
     Walk walk = walk_load(path);
     const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
     global const Object *object = scene->objects + path->object;
-    const float beyond = 4.0f * scene->frame->scene_radius; // longer than any way through the scene
+    const float radius = scene->frame->scene_radius;
+    const float beyond = 4.0f * radius;              // longer than any way through the scene
+    const float outside2 = 1.01f * radius * radius; // no object reaches there
     uint steps = 0u;
     while (steps < budget && path->state == PATH_WALK) {
         steps += 1u;
@@ -111,7 +113,7 @@ uint path_walk(const Scene *scene, Path *path, uint budget, Counts *counts) {
             path_exit(scene, path, &walk, surface.position, surface.error, surface.shading, surface.geometric, counts);
             break;
         }
-        if (length >= beyond || dot(origin, origin) > beyond * beyond) {
+        if (length >= beyond || dot(origin, origin) > outside2) {
             if (!object->closed) {
                 path_lose(path, counts, COUNTER_escaped);
                 break;

@@ -1,4 +1,5 @@
 #include "render/session.h"
+#include "base/error.h"
 #include "device/cache.h"
 #include "device/error.h"
 #include "render/layout.h"
@@ -19,9 +20,19 @@ double since(Clock::time_point start) { return std::chrono::duration<double>(Clo
 constexpr double launch_seconds = 0.1;
 constexpr std::uint32_t smallest_batch = 64, first_batch = 4096, largest_batch = 1 << 18;
 
-Crop crop_or_all(const Crop &crop, const scene::Scene &scene) {
-    if (crop.x1 > 0) return crop;
-    return {0, 0, std::uint32_t(scene.image.width), std::uint32_t(scene.image.height)};
+/// The part of the image to render. Throws Error{Exit::device} if the device cannot hold its film in one buffer.
+Crop crop_that_fits(const Options &options, const scene::Scene &scene, const device::Device &device) {
+    Crop crop = options.crop;
+    if (crop.x1 == 0) crop = {0, 0, std::uint32_t(scene.image.width), std::uint32_t(scene.image.height)};
+    const std::uint64_t columns = (crop.width() + TILE - 1) / TILE, rows = (crop.height() + TILE - 1) / TILE;
+    const std::uint64_t bytes = columns * rows * TILE * TILE * FILM_PLANES * sizeof(float4);
+    const std::uint64_t limit = device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    if (bytes > limit)
+        throw Error(Exit::device, device.info.name,
+                    fmt::format("a picture of {} x {} pixels needs {} MB in one buffer, this device allows {} MB; render it in "
+                                "parts with --crop",
+                                crop.width(), crop.height(), bytes >> 20, limit >> 20));
+    return crop;
 }
 
 } // namespace
@@ -42,7 +53,7 @@ struct Session::Impl {
     std::uint32_t taken = 0; // samples that every pixel has
 
     Impl(device::Device opened, const scene::Scene &source, const Options &options)
-        : device(std::move(opened)), layers(options.layers), crop(crop_or_all(options.crop, source)),
+        : device(std::move(opened)), layers(options.layers), crop(crop_that_fits(options, source, device)),
           planes(layers.surface() ? FILM_PLANES : FILM_ALBEDO), film(crop, planes),
           full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
         const std::uint32_t features = scene::features(source, layers.surface());
