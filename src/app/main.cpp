@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "base/error.h"
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -43,6 +44,7 @@ int run(int argc, char **argv) {
 } // namespace
 
 int main(int argc, char **argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on file sizes is then an error of the write, and reported
     try {
         return run(argc, argv);
     } catch (const nacre::Error &error) {
