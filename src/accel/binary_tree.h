@@ -14,7 +14,8 @@ struct BinaryNode {
 };
 
 /// Parents come before their children, node 0 is the root: decreasing index is bottom-up. Triangles that are not finite
-/// are left out; no triangle at all gives no node. Throws Error{Exit::failed} when Embree fails.
+/// or have no area (in float) are left out; no triangle at all gives no node. Throws Error{Exit::failed} when Embree
+/// fails.
 std::vector<BinaryNode> build_binary_tree(std::span<const Triangle> triangles);
 
 } // namespace nacre::accel

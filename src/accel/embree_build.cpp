@@ -48,6 +48,8 @@ std::vector<RTCBuildPrimitive> primitives_of(std::span<const Triangle> triangles
     for (std::size_t i = 0; i < triangles.size(); i++) {
         const auto &v = triangles[i].v;
         if (!v[0].allFinite() || !v[1].allFinite() || !v[2].allFinite()) continue;
+        // Rounding lets a ray hit a triangle without area, and then it has no normal.
+        if ((v[1] - v[0]).cross(v[2] - v[0]).isZero(0)) continue;
         const Vec3f lower = v[0].cwiseMin(v[1]).cwiseMin(v[2]), upper = v[0].cwiseMax(v[1]).cwiseMax(v[2]);
         primitives.push_back(
             {lower.x(), lower.y(), lower.z(), 0, upper.x(), upper.y(), upper.z(), static_cast<unsigned>(i)});

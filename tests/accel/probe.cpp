@@ -1,37 +1,38 @@
 #include "accel/probe.h"
 #include "device/program.h"
-#include <algorithm>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace nacre {
 namespace {
 
 constexpr std::size_t rays_per_item = 1024; // few work-items: PoCL spends time on each
 
-cl::Buffer upload_floats(const device::Device &device, const std::vector<float> &data) {
-    const std::size_t bytes = std::max<std::size_t>(data.size(), 1) * sizeof(float);
-    cl::Buffer buffer(device.context, CL_MEM_READ_ONLY, bytes);
-    if (!data.empty()) device.queue.enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data.data());
+template <typename T> cl::Buffer upload_list(const device::Device &device, std::span<const T> list) {
+    cl::Buffer buffer(device.context, CL_MEM_READ_ONLY, std::max<std::size_t>(list.size_bytes(), sizeof(T)));
+    if (!list.empty()) device.queue.enqueueWriteBuffer(buffer, CL_TRUE, 0, list.size_bytes(), list.data());
     return buffer;
 }
 
+std::uint32_t rounded_up(std::uint32_t stack) { return std::max(stack + 63, 64u) / 64 * 64; }
+
 } // namespace
 
-RayProbe::RayProbe(const device::Device &device, const accel::Bvh &bvh, std::uint32_t root, const std::string &extra)
-    : device(device), nodes(upload_floats(device, bvh.nodes)), blocks(upload_floats(device, bvh.blocks)), root(root) {
+RayProbe::RayProbe(const device::Device &device, const accel::Bvh &bvh, const std::string &extra, std::uint32_t stack)
+    : device(device), nodes(upload_list<float>(device, bvh.nodes)), blocks(upload_list<float>(device, bvh.blocks)) {
     device::Variant variant;
     variant.entry = "probe_rays.cl";
-    variant.bvh_stack = std::max(bvh.stack, 1u);
+    variant.bvh_stack = stack ? stack : rounded_up(bvh.stack);
     variant.extra = fmt::format("-DRAYS_PER_ITEM={} {}", rays_per_item, extra);
     program = device::build(device, variant).program;
 }
 
-void RayProbe::upload(std::span<const ProbeRay> list) {
-    static_assert(sizeof(ProbeRay) == 32 && sizeof(ProbeHit) == 16, "two float4, one uint4");
+void RayProbe::upload(std::uint32_t tree, std::span<const ProbeRay> list) {
+    static_assert(sizeof(ProbeRay) == 32 && sizeof(ProbeHit) == 16 && sizeof(ProbeBounce) == 16, "float4 and uint4");
+    root = tree;
     count = list.size();
-    rays = cl::Buffer(device.context, CL_MEM_READ_ONLY, list.size_bytes());
+    rays = upload_list(device, list);
     results = cl::Buffer(device.context, CL_MEM_WRITE_ONLY, count * sizeof(ProbeHit));
-    device.queue.enqueueWriteBuffer(rays, CL_TRUE, 0, list.size_bytes(), list.data());
 }
 
 void RayProbe::run(const char *name) {
@@ -42,6 +43,7 @@ void RayProbe::run(const char *name) {
     kernel.setArg(3, blocks);
     kernel.setArg(4, root);
     kernel.setArg(5, static_cast<cl_uint>(count));
+    if (std::string_view(name) == "probe_bounce") kernel.setArg(6, directions);
     const std::size_t local = device.quirks.work_group, items = (count + rays_per_item - 1) / rays_per_item;
     device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, (items + local - 1) / local * local, local);
     device.queue.finish();
@@ -55,16 +57,24 @@ template <typename T> std::vector<T> RayProbe::read() const {
 
 std::vector<ProbeHit> RayProbe::hits() const { return read<ProbeHit>(); }
 
-std::vector<ProbeHit> RayProbe::closest(std::span<const ProbeRay> list) {
-    upload(list);
+std::vector<ProbeHit> RayProbe::closest(std::uint32_t tree, std::span<const ProbeRay> list) {
+    upload(tree, list);
     run("probe_closest");
     return hits();
 }
 
-std::vector<std::uint32_t> RayProbe::any(std::span<const ProbeRay> list) {
-    upload(list);
+std::vector<std::uint32_t> RayProbe::any(std::uint32_t tree, std::span<const ProbeRay> list) {
+    upload(tree, list);
     run("probe_any");
     return read<std::uint32_t>();
+}
+
+std::vector<ProbeBounce> RayProbe::bounce(std::uint32_t tree, std::span<const ProbeRay> list,
+                                          std::span<const Vec3f> onward) {
+    upload(tree, list);
+    directions = upload_list(device, onward);
+    run("probe_bounce");
+    return read<ProbeBounce>();
 }
 
 } // namespace nacre

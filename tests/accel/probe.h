@@ -20,18 +20,30 @@ struct ProbeHit {
     bool hit() const { return primitive != BVH_NO_PRIMITIVE; }
 };
 
-/// nacre's traversal of a tree on a device, on any rays one likes.
+/// A ray that went on from where another one hit.
+struct ProbeBounce {
+    std::uint32_t first, second; // primitives, or BVH_NO_PRIMITIVE
+    float t;                     // of the second
+    float cosine;                // of its direction with the first's counter-clockwise normal
+};
+
+/// nacre's traversal on a device, on any rays one likes.
 class RayProbe {
   public:
-    /// The device's quirks say how (vector or scalar); the tree's width must be theirs. `extra`: further compiler
+    /// The device's quirks say how (vector or scalar); the tree's width must be theirs. `stack`: entries of the
+    /// traversal stack, 0: enough for the tree, rounded up so that trees share a program. `extra`: further compiler
     /// options.
-    RayProbe(const device::Device &device, const accel::Bvh &bvh, std::uint32_t root, const std::string &extra = {});
+    RayProbe(const device::Device &device, const accel::Bvh &bvh, const std::string &extra = {},
+             std::uint32_t stack = 0);
 
-    std::vector<ProbeHit> closest(std::span<const ProbeRay> rays);
-    std::vector<std::uint32_t> any(std::span<const ProbeRay> rays); // 1: something is in the way
+    std::vector<ProbeHit> closest(std::uint32_t root, std::span<const ProbeRay> rays);
+    std::vector<std::uint32_t> any(std::uint32_t root, std::span<const ProbeRay> rays); // 1: something is in the way
+    /// Traces rays[i], and from where it hits directions[i].
+    std::vector<ProbeBounce> bounce(std::uint32_t root, std::span<const ProbeRay> rays,
+                                    std::span<const Vec3f> directions);
 
     /// In steps, for measuring: upload once, run (and wait) as often as needed.
-    void upload(std::span<const ProbeRay> rays);
+    void upload(std::uint32_t root, std::span<const ProbeRay> rays);
     void run_closest() { run("probe_closest"); }
     std::vector<ProbeHit> hits() const;
 
@@ -41,7 +53,7 @@ class RayProbe {
 
     device::Device device;
     cl::Program program;
-    cl::Buffer nodes, blocks, rays, results;
+    cl::Buffer nodes, blocks, rays, directions, results;
     std::uint32_t root = 0;
     std::size_t count = 0;
 };
