@@ -108,7 +108,7 @@ TEST_F(Gltf, ListsStripsAndFansWithAndWithoutIndices) {
 TEST_F(Gltf, NormalizedStridedAndSparseAccessors) {
     GltfBuilder builder;
     // Positions as normalised shorts with a stride of 8.
-    const int packed = builder.add_view<std::int16_t>({0, 0, 0, 0, 32767, 0, 0, 0, 0, 32767, 0, 0, -32768, 0, 0, 0});
+    const int packed = builder.add_view<std::int16_t>({0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, 0, 0, 5, 0, 0, 0});
     builder.json["bufferViews"][packed]["byteStride"] = 8;
     const int replaced = builder.add_view<std::uint8_t>({3});
     const int values = builder.add_view<std::int16_t>({0, 0, 32767});
@@ -129,8 +129,9 @@ TEST_F(Gltf, NormalizedStridedAndSparseAccessors) {
     const scene::Mesh mesh = load_built(builder).objects[0].mesh;
     ASSERT_EQ(mesh.positions.size(), 4u);
     EXPECT_EQ(mesh.positions[1], Vec3(1, 0, 0));
-    EXPECT_EQ(mesh.positions[3], Vec3(0, 0, 1)); // the sparse one
-    EXPECT_EQ(mesh.uvs[1], Vec2f(1, 1));         // v goes up here, down in glTF
+    EXPECT_EQ(mesh.positions[2], Vec3(0, -1, 0)); // -32768 is -1, as -32767 is
+    EXPECT_EQ(mesh.positions[3], Vec3(0, 0, 1));  // the sparse one
+    EXPECT_EQ(mesh.uvs[1], Vec2f(1, 1));          // v goes up here, down in glTF
     EXPECT_EQ(mesh.uvs[2], Vec2f(0, 0));
 }
 

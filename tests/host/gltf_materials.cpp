@@ -69,6 +69,14 @@ TEST_F(GltfMaterials, TexturesAndTheirChannels) {
     EXPECT_TRUE(s.warnings.empty());
 }
 
+TEST_F(GltfMaterials, AGreyPictureHasOneChannelForAll) {
+    build(R"({"pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}}})");
+    put(folder / "red.ppm", "P2\n1 1\n255\n128\n");
+    const scene::Scene s = load("s.glb");
+    ASSERT_EQ(s.images.at(0).channels, 1u);
+    for (const scene::Texture &texture : s.textures) EXPECT_EQ(texture.channel, 0);
+}
+
 TEST_F(GltfMaterials, FactorsBesideTexturesAreNamed) {
     const scene::Scene s = load_material(R"({"pbrMetallicRoughness":
         {"baseColorTexture": {"index": 0}, "baseColorFactor": [0.5, 1, 1, 1], "metallicFactor": 0}})");

@@ -137,27 +137,28 @@ TEST_F(JsonScene, ObjectsWithoutMaterialGetASkinOfTheirSize) {
 }
 
 TEST_F(JsonScene, TheDefaultCameraSeesAllOfTheObjectAtAnyScaleAndShape) {
-    for (const double scale : {1e-6, 1.0, 1e6})
-        for (const auto &[width, height] : {std::pair{100, 400}, std::pair{400, 100}}) {
-            const scene::Scene s = load_text(fmt::format(
-                R"({{"image": {{"width": {}, "height": {}}}, "camera": {{"fov": 20}},
-                    "objects": [{{"box": {{"min": [1, 2, 3], "max": [2, 7, 5]}}, "transform": {{"scale": {}}}}}]}})",
-                width, height, scale));
-            const Vec3 back = (s.camera.position - s.camera.target).normalized();
-            const Vec3 right = s.camera.up.cross(back).normalized(), up = back.cross(right);
-            const double tan_y = std::tan(10 * 3.14159265358979 / 180);
-            double largest = 0;
-            for (const Vec3 &p : s.objects[0].mesh.positions) {
-                const Vec3 from = p - s.camera.position;
-                const double depth = -from.dot(back);
-                ASSERT_GT(depth, 0);
-                largest = std::max({largest, std::abs(from.dot(up)) / depth / tan_y,
-                                    std::abs(from.dot(right)) / depth / tan_y * height / width});
+    for (const char *corner : {"[2, 7, 5]", "[9, 3, 5]"}) // tall, wide
+        for (const double scale : {1e-6, 1.0, 1e6})
+            for (const auto &[width, height] : {std::pair{100, 400}, std::pair{400, 100}}) {
+                const scene::Scene s = load_text(fmt::format(
+                    R"({{"image": {{"width": {}, "height": {}}}, "camera": {{"fov": 20}},
+                    "objects": [{{"box": {{"min": [1, 2, 3], "max": {}}}, "transform": {{"scale": {}}}}}]}})",
+                    width, height, corner, scale));
+                const Vec3 back = (s.camera.position - s.camera.target).normalized();
+                const Vec3 right = s.camera.up.cross(back).normalized(), up = back.cross(right);
+                const double tan_y = std::tan(10 * 3.14159265358979 / 180);
+                double largest = 0;
+                for (const Vec3 &p : s.objects[0].mesh.positions) {
+                    const Vec3 from = p - s.camera.position;
+                    const double depth = -from.dot(back);
+                    ASSERT_GT(depth, 0);
+                    largest = std::max({largest, std::abs(from.dot(up)) / depth / tan_y,
+                                        std::abs(from.dot(right)) / depth / tan_y * height / width});
+                }
+                EXPECT_LT(largest, 1);    // in the picture
+                EXPECT_GT(largest, 0.75); // and filling it
+                EXPECT_EQ(s.camera.fov, 20);
             }
-            EXPECT_LT(largest, 1);    // in the picture
-            EXPECT_GT(largest, 0.75); // and filling it
-            EXPECT_EQ(s.camera.fov, 20);
-        }
 }
 
 TEST_F(JsonScene, TransformIsScaleThenRotateXyzThenTranslate) {

@@ -90,6 +90,8 @@ TEST_F(Ply, BadFilesAreErrors) {
         {ascii + "element vertex 3\nproperty float x\nproperty float y\n" + face_list, corners, "no x, y and z"},
         {ascii + vertex3, corners, "needs one element 'vertex' and one 'face'"},
         {ascii + vertex3 + "element face 1\nproperty int a\n", corners + "1\n", "no list vertex_indices"},
+        {ascii + vertex3 + "property float s\nproperty float t\n" + face_list,
+         "0 0 0 0 0\n1 0 0 0 nan\n0 1 0 0 0\n3 0 1 2\n", "the uv of vertex 1 is not finite"},
         {vertex3 + face_list, corners, "has no format"},
         {"format ascii 2.0\n" + vertex3 + face_list, corners, "unknown format 'ascii 2.0'"},
         {ascii + "element vertex 3\nproperty quad x\n", corners, "line 4: unknown type 'quad'"},
