@@ -45,7 +45,7 @@ const std::map<std::string, Range> &table() {
         {"material.subsurface_radius_scale", positive},
         {"material.subsurface_scatter_anisotropy",
          {-0.9999, 0.9999}},                    // (-1, 1): the ends, and what rounds to them, are deltas
-        {"material.subsurface_bleed", {0, 10}}, // 2^-24^-bleed, the longest flight: beyond 5 it is past float's range
+        {"material.subsurface_bleed", {0, 1e4}}, // flights past float's range end at the surface, so large values do no harm
         {"material.subsurface_max_depth", {0, largest_integer, false, false, true}},
         {"texture.scale", any},
         {"texture.offset", any},
