@@ -23,22 +23,23 @@ real lane_unit(natural bits) {
     return (to_real(bits >> 9u) + 0.5f) * 0x1p-23f;
 }
 
-// Optical depths from `count` numbers spread evenly; out: depth, transmittance, pdf.
+// Free flights after `first` scatters. Depths are drawn, or with c > 0 spread evenly in their logarithm from exp(a) to exp(b).
+// out: depth, transmittance, pdf, and the number that the depth was drawn with.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_flight(
-    global const Frame *frame, Probe probe, global float *out) {
+    global const Frame *frame, Probe probe, global float4 *out) {
     Scene view = {frame};
     const Scene *scene = &view;
     const uint i = get_global_id(0);
     if (i >= probe.count) return;
-    const Flight flight = flight_of((real)(probe.bleed), (mask)(probe.reciprocal ? -1 : 0), (mask)(-1));
-    const uint4 words = random_hash((uint4)(probe.seed, i, 1u, 2u));
-    const real tau = probe.c > 0.0f ? (real)(probe.c) : flight_sample(scene, flight, (real)(random_unit(words.x)));
-    out[3u * i] = tau;
-    out[3u * i + 1u] = flight_transmittance(scene, flight, tau);
-    out[3u * i + 2u] = flight_pdf(scene, flight, tau);
+    const Flight flight =
+        flight_of((real)(probe.bleed), (mask)(probe.reciprocal ? -1 : 0), (mask)(probe.first > 0u ? -1 : 0));
+    const float xi = random_unit(random_hash((uint4)(probe.seed, i, 1u, 2u)).x);
+    const real tau = probe.c > 0.0f ? (real)(exp(mix(probe.a, probe.b, (float)i / (float)probe.count)))
+                                    : flight_sample(scene, flight, (real)(xi));
+    out[i] = (float4)(tau, flight_transmittance(scene, flight, tau), flight_pdf(scene, flight, tau), xi);
 }
 
-// Directions scattered from +z turned to (a, b, c); out: direction, pdf.
+// Directions scattered from the unit vector (a, b, c); out: direction, pdf.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_phase(
     global const Frame *frame, Probe probe, global float4 *out) {
     Scene view = {frame};
@@ -52,6 +53,19 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_phase(
     const uint4 words = random_hash((uint4)(probe.seed, i, 3u, 4u));
     const real3 d = phase_sample(scene, probe.anisotropy, random_unit(words.x), random_unit(words.y), from);
     out[i] = (float4)(d.x, d.y, d.z, phase_pdf(scene, probe.anisotropy, from, d));
+}
+
+// Angles of deflection from numbers of which a quarter are the lowest and a quarter the highest that there are.
+// out: number, sine, cosine.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_phase_angle(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const uint end = (i >> 2) << 9;
+    const uint word = (i & 1u) ? random_hash((uint4)(probe.seed, i, 3u, 5u)).x : (i & 2u) ? end : ~end;
+    real sine, cosine;
+    phase_angle(probe.anisotropy, random_unit(word), &sine, &cosine);
+    out[i] = (float4)(random_unit(word), sine, cosine, 0.0f);
 }
 
 // Directions of the hemisphere samplers about +z: cosine (entry 0), uniform (entry 1); and of Lambert's lobe about the
@@ -74,23 +88,30 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_hemisp
     }
 }
 
-// The specular layer seen from (a, b, c), roughness^2 in sigma.x, index in sigma.y. out: direction, and BSDF x cosine there;
-// albedo: its reflectance in x, what is left for the base in y.
-kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_specular(
-    global const Frame *frame, Probe probe, global float4 *out) {
-    const uint i = get_global_id(0);
-    if (i >= probe.count) return;
-    const uint4 words = random_hash((uint4)(probe.seed, i, 7u, 8u));
+// The specular layer seen from (a, b, c), folded at z = 0: roughness^2 in sigma.x, index in sigma.y,
+// shading normal in albedo.
+Specular probe_layer(Probe probe) {
     Specular specular;
     specular.alpha = probe.sigma.x;
     specular.eta = probe.sigma.y;
     specular.metalness = 0.0f;
     specular.metal = (float3)(0.0f);
-    specular.normal = specular.geometric = (float3)(0.0f, 0.0f, 1.0f);
-    float3 t, b;
+    specular.geometric = (float3)(0.0f, 0.0f, 1.0f);
+    specular.normal = probe.albedo.xyz;
     const float3 view = (float3)(probe.a, probe.b, probe.c);
+    float3 t, b;
     basis(specular.normal, &t, &b);
     specular.view = (float3)(dot(view, t), dot(view, b), dot(view, specular.normal));
+    return specular;
+}
+
+// out: direction, and BSDF x cosine there; reflectance of the microfacet, what is left for the base.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_specular(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const uint4 words = random_hash((uint4)(probe.seed, i, 7u, 8u));
+    const Specular specular = probe_layer(probe);
     float3 direction;
     float base;
     const float3 r = specular_sample(&specular, (float2)(random_unit(words.x), random_unit(words.y)), &direction, &base);
@@ -98,12 +119,34 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_specul
     out[2u * i + 1u] = (float4)(r.x, base, 0.0f, 0.0f);
 }
 
-// Pairs of the Sobol sampler: pixel i / count of `seed`, dimension `entry`, sample i % count. out: two numbers.
+// Densities at directions that the host put into `out`: of the phase function from (a, b, c) (entry 0), of Lambert's lobe about
+// (a, b, c) (entry 1), of the specular layer, which is its BSDF x cosine (entry 2). They go into w.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_density(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    Scene view = {frame};
+    const Scene *scene = &view;
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const float3 d = out[i].xyz, axis = (float3)(probe.a, probe.b, probe.c);
+    if (probe.entry == 0u) {
+        const real3 from = {axis.x, axis.y, axis.z}, to = {d.x, d.y, d.z};
+        out[i].w = phase_pdf(scene, probe.anisotropy, from, to);
+    } else if (probe.entry == 1u) {
+        out[i].w = lambert_pdf(d, axis, (float3)(0.0f, 0.0f, 1.0f));
+    } else {
+        const Specular specular = probe_layer(probe);
+        out[i].w = specular_eval(&specular, d).x;
+    }
+}
+
+// Pairs of the Sobol sampler of dimension `entry`: sample i of key `seed`, or the first `first` samples of every key from
+// there on. out: two numbers.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_sobol(
     global const Frame *frame, Probe probe, global float2 *out) {
     const uint i = get_global_id(0);
     if (i >= probe.count) return;
-    const uint2 word = sobol_pair(probe.seed, probe.entry, i);
+    const uint each = probe.first > 0u ? probe.first : probe.count;
+    const uint2 word = sobol_pair(probe.seed + i / each, probe.entry, i % each);
     out[i] = (float2)(random_unit(word.x), random_unit(word.y));
 }
 
@@ -138,6 +181,32 @@ float body_exit(float thickness, float3 p, float3 d, bool *back) {
     if (d.z < 0.0f) return p.z / -d.z;
     *back = thickness > 0.0f && d.z > 0.0f;
     return *back ? (thickness - p.z) / d.z : INFINITY;
+}
+
+// One walk of `cap` scatters where there is no surface. out: where it ends.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_infinite(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    Scene view = {frame};
+    const Scene *scene = &view;
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    Walk walk;
+    walk.position = triple(0.0f);
+    walk.direction = triple(0.57735027f);
+    walk.sigma.x = probe.sigma.x;
+    walk.sigma.y = probe.sigma.y;
+    walk.sigma.z = probe.sigma.z;
+    walk.albedo = triple(1.0f);
+    walk.anisotropy = probe.anisotropy;
+    walk.bleed = probe.bleed;
+    walk.reciprocal = (mask)probe.reciprocal;
+    walk_begin(scene, &walk, 0.5f);
+    while (walk.steps < probe.cap) {
+        const uint4 words = random_hash((uint4)(probe.seed, i, walk.steps, 10u));
+        walk_scatter(scene, &walk, walk_distance(scene, &walk, random_unit(words.x)), random_unit(words.y),
+                     random_unit(words.z));
+    }
+    out[i] = (float4)(walk.position.x, walk.position.y, walk.position.z, 0.0f);
 }
 
 // `count` walks per work-item. out, per work-item: [0] sum of what leaves on the entry's side (rgb; count of walks that left

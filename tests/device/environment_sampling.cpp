@@ -88,9 +88,11 @@ TEST(EnvironmentSampling, TexelsByTheirLightEvenlyWithin) {
             inverse2 += 1 / (draw.density * draw.density);
             ASSERT_NEAR(draw.texel.x(), at.x(), 1e-4);
             ASSERT_NEAR(draw.texel.y(), at.y(), 1e-4);
-            if (std::min(x.back(), y.back()) > 1e-3 &&
-                std::max(x.back(), y.back()) < .999) // else the next texel's may be asked
-                ASSERT_NEAR(draw.density_again / draw.density, 1, 2e-4) << at.transpose();
+            // At a texel's edge the next one may be asked.
+            if (std::min(x.back(), y.back()) > 1e-3 && std::max(x.back(), y.back()) < .999) {
+                // The solid angle of a texel goes to 0 at the poles: so many digits as that has.
+                ASSERT_NEAR(draw.density_again / draw.density, 1, 1e-5 + 2e-6 / std::sin(pi * at.y() / height));
+            }
             for (std::uint32_t c = 0; c < 3; ++c) {
                 ASSERT_NEAR(draw.radiance_again[c], interpolated(sky, at, c), 2e-3);
                 ASSERT_NEAR(draw.radiance[c] * draw.density, interpolated(sky, at, c), 2e-3);

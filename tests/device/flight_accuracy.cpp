@@ -37,6 +37,13 @@ std::vector<float> run(float bleed, std::uint32_t scatters, double low, double h
 
 double rate_of(float bleed, std::uint32_t scatters) { return scatters ? double(1.0f + bleed) : 1; }
 
+/// Relative error, in parts of what is allowed: 6e-6 where one path in 10^12 may come, and, as exp(-x) carries x times
+/// the error of x, 2e-5 down to where floats are denormal. Devices may flush those to 0.
+double part_of_allowed(double found, double exact) {
+    if (exact < 1e-37) return found <= 1.01e-37 ? 0 : 2;
+    return std::abs(found / exact - 1) / (exact > 1e-12 ? 6e-6 : 2e-5);
+}
+
 TEST(FlightAccuracy, TransmittanceAndPdf) {
     for (const float bleed : bleeds)
         for (const std::uint32_t scatters : {0u, 1u}) {
@@ -44,18 +51,11 @@ TEST(FlightAccuracy, TransmittanceAndPdf) {
             double worst_t = 0, worst_p = 0;
             for (std::size_t i = 0; i < count; ++i) {
                 const Exact e = exact(values[4 * i], bleed, rate_of(bleed, scatters));
-                // Below that floats are denormal: devices may flush them to 0.
-                if (e.transmittance > 1e-37)
-                    worst_t = std::max(worst_t, std::abs(values[4 * i + 1] / e.transmittance - 1));
-                else
-                    EXPECT_LE(values[4 * i + 1], 1.01e-37f);
-                if (e.pdf > 1e-37)
-                    worst_p = std::max(worst_p, std::abs(values[4 * i + 2] / e.pdf - 1));
-                else
-                    EXPECT_LE(values[4 * i + 2], 1.01e-37f);
+                worst_t = std::max(worst_t, part_of_allowed(values[4 * i + 1], e.transmittance));
+                worst_p = std::max(worst_p, part_of_allowed(values[4 * i + 2], e.pdf));
             }
-            EXPECT_LE(worst_t, 8e-6) << "bleed " << bleed << " scatters " << scatters;
-            EXPECT_LE(worst_p, 1.2e-5) << "bleed " << bleed << " scatters " << scatters;
+            EXPECT_LE(worst_t, 1) << "bleed " << bleed << " scatters " << scatters;
+            EXPECT_LE(worst_p, 1) << "bleed " << bleed << " scatters " << scatters;
         }
 }
 

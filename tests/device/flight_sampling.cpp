@@ -38,14 +38,14 @@ std::vector<Law> laws() {
     return all;
 }
 
-std::vector<float> draw(const Law &law, std::uint32_t seed, std::uint32_t features = 0) {
+std::vector<float> draw(const Law &law, std::uint32_t seed, std::uint32_t count = samples, std::uint32_t features = 0) {
     Probe probe;
     probe.bleed = law.bleed;
     probe.reciprocal = law.reciprocal;
     probe.first = law.scatters;
     probe.seed = seed;
-    probe.count = samples;
-    return run_probe("probe_flight", probe, samples, 4, CHANNEL_HERO, features);
+    probe.count = count;
+    return run_probe("probe_flight", probe, count, 4, CHANNEL_HERO, features);
 }
 
 void check(const Law &law, const std::vector<float> &drawn) {
@@ -60,7 +60,7 @@ TEST(FlightSampling, EveryLaw) {
 }
 
 // Another material of the scene may bleed: the exponential law is then the one with bleed 0.
-TEST(FlightSampling, ExponentialBesideBleed) { check({0, 0, 0}, draw({0, 0, 0}, 99, FEATURE_BLEED)); }
+TEST(FlightSampling, ExponentialBesideBleed) { check({0, 0, 0}, draw({0, 0, 0}, 99, samples, FEATURE_BLEED)); }
 
 double digamma(double x) {
     double below = 0;
@@ -71,20 +71,21 @@ double digamma(double x) {
 
 // E[ln tau] = ln a - gamma - psi(k), k the exponent of T: tau / a is beta-prime distributed.
 TEST(FlightSampling, MeanLogarithm) {
+    constexpr std::uint32_t few = 1 << 18;
     for (const Law &law : laws()) {
         if (law.bleed < .5f || law.bleed > 5) continue; // at 10 float does not hold all depths: one in 10^5 is infinite
-        const std::vector<float> drawn = draw(law, 7);
+        const std::vector<float> drawn = draw(law, 7, few);
         double sum = 0, squares = 0;
-        for (std::size_t i = 0; i < samples; ++i) {
+        for (std::size_t i = 0; i < few; ++i) {
             const double x = std::log(double(drawn[4 * i]));
             sum += x;
             squares += x * x;
         }
-        const double a = 1 / double(law.bleed), mean = sum / samples;
+        const double a = 1 / double(law.bleed), mean = sum / few;
         const double exact = std::log(a) - std::numbers::egamma - digamma(a + (law.steeper() ? 1 : 0));
-        const double error = std::sqrt((squares / samples - mean * mean) / samples);
+        const double error = std::sqrt((squares / few - mean * mean) / few);
         EXPECT_NEAR(mean, exact, 4 * error) << law.name();
-        EXPECT_LT(error, 5e-3) << law.name();
+        EXPECT_LT(error, 6e-3) << law.name();
     }
 }
 

@@ -16,11 +16,11 @@ struct Case {
 };
 
 TEST(InfiniteMedium, SecondMoment) {
-    constexpr std::uint32_t walks = 1 << 19;
+    constexpr std::uint32_t walks = 1 << 17;
     // Bleed below .25, or the square's own variance is infinite.
     for (const Case &c :
          {Case{0, 0, 0}, {-.9f, 0, 0}, {.8f, 0, 0}, {.95f, 0, 0}, {0, .1f, 0}, {.8f, .1f, 0}, {.8f, .1f, 1}})
-        for (const std::uint32_t n : {1u, 2u, 5u, 20u}) {
+        for (const std::uint32_t n : {1u, 3u, 20u}) {
             Probe probe;
             probe.anisotropy = c.g;
             probe.bleed = c.bleed;
@@ -49,7 +49,7 @@ TEST(InfiniteMedium, SecondMoment) {
                     exact += 2 * moment(i, 1) * moment(j, 1) * std::pow(double(c.g), j - i);
             }
             EXPECT_NEAR(mean, exact, 4 * error) << "g " << c.g << " bleed " << c.bleed << " n " << n;
-            EXPECT_LT(error, .006 * exact);
+            EXPECT_LT(error, .015 * exact);
         }
 }
 
