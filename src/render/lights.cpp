@@ -109,7 +109,7 @@ void triangles(const scene::Scene &scene, const scene::Object &object, const sce
 }
 
 bool emits(const scene::Material &material) {
-    const auto dark = [&](Parameter p) { return material[p].texture < 0 && material[p].value.isZero(); };
+    const auto dark = [&](Parameter p) { return material[p].texture < 0 && material[p].value == Vec3(0, 0, 0); };
     return !dark(PARAMETER_emission_luminance) && !dark(PARAMETER_emission_color);
 }
 
