@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 
 namespace nacre {
@@ -37,7 +38,7 @@ class Aimer {
             const float distance = way.norm();
             if (!seen_from_inside(a, origin) || !seen_from_inside(b, origin)) continue;
             ProbeRay ray{origin, distance * 1.01f + 0.02f * shape.size, way / distance, 0};
-            if (random() % 4 == 0) nudge(ray.direction, random);
+            if (random() % 4 == 0) nudge(ray, random);
             return ray;
         }
     }
@@ -69,16 +70,17 @@ class Aimer {
                            [&](std::uint32_t i) { return normals[i].dot(v - origin) > 2e-6f * extent; });
     }
 
-    /// Some last bits, and now and then a component that is exactly 0 (of either sign) or almost.
-    static void nudge(Vec3f &d, Random &random) {
-        float &c = d[int(random() % 3)];
+    /// Some last bits; now and then a component exactly 0 (of either sign) or almost, which turns the ray off its
+    /// target: it must still hit something.
+    static void nudge(ProbeRay &ray, Random &random) {
+        float &c = ray.direction[int(random() % 3)];
         const auto kind = random() % 8;
-        if (kind == 0 && std::abs(c) < 1e-3f)
-            c = random() % 2 ? 0.0f : -0.0f;
-        else if (kind == 1 && std::abs(c) < 1e-3f)
-            c = std::copysign(1e-30f, c);
-        else
-            for (auto n = random() % 3; n > 0; n--) c = std::nextafter(c, random() % 2 ? 2.0f : -2.0f);
+        if (kind < 2 && std::abs(c) < 1e-3f) {
+            c = std::copysign(kind == 0 ? 0.0f : 1e-30f, random() % 2 ? 1.0f : -1.0f);
+            ray.t_max = std::numeric_limits<float>::infinity();
+            return;
+        }
+        for (auto n = random() % 3; n > 0; n--) c = std::nextafter(c, random() % 2 ? 2.0f : -2.0f);
     }
 
     const Shape &shape;
