@@ -10,6 +10,7 @@
 typedef struct {
     float3 direction; // unit, from the point that is lit
     float distance;   // MAXFLOAT: far away
+    float3 target;    // where a shadow ray has to arrive, unless far away: just before the light's own surface
     float3 radiance;  // divided by the density of the draw; point and directional: their irradiance facing the light
     float density;    // per steradian, 0: a single direction (no other way to find it)
 } LightSample;
@@ -36,12 +37,16 @@ bool light_sample_flat(const Scene *scene, global const Light *light, float2 xi,
         a = 1.0f - root;
         b = root * xi.y;
     }
-    const float3 to = light->position.xyz + a * light->u.xyz + b * light->v.xyz - position;
+    const float3 point = light->position.xyz + a * light->u.xyz + b * light->v.xyz, to = point - position;
     sample->distance = length(to);
     sample->direction = to * (1.0f / sample->distance);
     const float cosine = -dot(sample->direction, light->normal.xyz);
     if (!(cosine > 0.0f && sample->distance > 0.0f)) return false;
     sample->density = light_area_density(light, sample->distance, cosine);
+    // Off the surface by more than rounding of the point and of a ray's test from that far: some ulp of both.
+    const float3 size = fabs(point);
+    const float rounding = 1e-6f * (fmax(size.x, fmax(size.y, size.z)) + sample->distance);
+    sample->target = point + rounding * light->normal.xyz;
     sample->radiance = light->radiance.xyz;
     if (triangle) {
         float2 uv = (float2)(0.0f);
@@ -86,6 +91,7 @@ bool light_sample(const Scene *scene, Sampler sampler, float3 position, LightSam
         const float distance2 = dot(to, to);
         if (!(distance2 > 0.0f)) return false;
         sample->distance = sqrt(distance2);
+        sample->target = light->position.xyz;
         sample->direction = to * (1.0f / sample->distance);
         sample->radiance = light->radiance.xyz * (1.0f / (distance2 * probability));
         sample->density = 0.0f;

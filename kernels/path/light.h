@@ -8,10 +8,6 @@
 #include "light/light.h"
 #include "path/count.h"
 
-// Shadow rays stop short of the light they aim at, or its own triangle would hide it: by more than rounding shifts the place
-// where a ray meets it (1e-5 lost a tenth of a sphere's light). Costs what stands nearer to the light than that.
-#define SHADOW_END 0.9999f
-
 bool light_seen(const Scene *scene, float3 position, float3 error, float3 geometric, const LightSample *sample,
                 Counts *counts) {
     Ray ray;
@@ -19,11 +15,10 @@ bool light_seen(const Scene *scene, float3 position, float3 error, float3 geomet
     ray.direction = sample->direction;
     ray.t_min = 0.0f;
     ray.t_max = MAXFLOAT;
-    if (sample->distance < MAXFLOAT) { // to the point that was drawn, from where the ray starts
-        const float3 to = position + sample->distance * sample->direction - ray.origin;
-        const float distance = length(to);
-        ray.direction = to * (1.0f / distance);
-        ray.t_max = distance * SHADOW_END;
+    if (sample->distance < MAXFLOAT) { // from where the ray starts, not from where the surface is
+        const float3 to = sample->target - ray.origin;
+        ray.t_max = length(to);
+        ray.direction = to * (1.0f / ray.t_max);
     }
     counts->value[COUNTER_shadow_rays] += 1u;
     return !trace_any(ray, scene->nodes, scene->blocks, scene->frame->bvh_root);
