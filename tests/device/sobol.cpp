@@ -37,6 +37,21 @@ TEST(Sobol, OnePointInEveryElementaryInterval) {
         }
 }
 
+// The same of 2^18 samples: the upper half of the second dimension's matrix matters only after 65,536 of them.
+TEST(Sobol, FarIntoTheSequence) {
+    constexpr std::uint32_t k = 18;
+    const std::vector<float> points = pairs(3, 2, 1u << k);
+    for (std::uint32_t i = 0; i <= k; ++i) {
+        std::vector<bool> hit(1u << k);
+        for (std::uint32_t s = 0; s < 1u << k; ++s) {
+            const auto x = std::uint32_t(points[2 * s] * float(1u << i));
+            const auto y = std::uint32_t(points[2 * s + 1] * float(1u << (k - i)));
+            ASSERT_FALSE(hit[(y << i) + x]) << "2^-" << i << " wide, sample " << s;
+            hit[(y << i) + x] = true;
+        }
+    }
+}
+
 // Over keys (pixels, seeds) each single sample is uniform, the first too: estimates of pixels are unbiased.
 TEST(Sobol, EverySampleIsUniformOverKeys) {
     constexpr std::uint32_t keys = 1 << 20, samples = 4;
