@@ -40,7 +40,7 @@ probe_any(global const float4 *rays, global uint *hits, global const float *node
         hits[i] = (uint)trace_any(load_ray(rays, i), nodes, blocks, root);
 }
 
-// Traces a ray and, from where it hits, another one along `directions` (3 floats each), off the surface on whichever side
+// Traces a ray and, from where it hits, another one along `directions` (3 floats each), off the surface on the side that
 // it points to. bounces: both primitives, t of the second, its cosine with the first's counter-clockwise normal.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void
 probe_bounce(global const float4 *rays, global uint4 *bounces, global const float *nodes, global const float *blocks,
