@@ -52,7 +52,7 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     const float3 inner = material->entry == ENTRY_UNIFORM ? uniform_hemisphere(entry) : cosine_hemisphere(entry);
     const float3 inwards = -surface->geometric;
     path->direction.xyz = to_world(inner, inwards);
-    path->position.xyz = offset_point(surface->position, surface->error, surface->geometric, inwards);
+    path->position.xyz = surface->position;
     path->object = surface->object;
     path->first_number = first.y;
     path->depth = 1u;
@@ -103,13 +103,8 @@ uint path_walk(const Scene *scene, Path *path, uint budget, Counts *counts) {
         counts->value[COUNTER_walk_rays] += boundary.rays;
         path->depth = boundary.depth;
         if (boundary.left) {
-            walk_leave(scene, &walk, boundary.hit.t);
-            Ray ray;
-            ray.origin = origin;
-            ray.direction = direction;
-            ray.t_min = 0.0f;
-            ray.t_max = boundary.hit.t;
-            const Surface surface = surface_at(scene, ray, boundary.hit);
+            walk_leave(scene, &walk, boundary.distance);
+            const Surface surface = surface_at(scene, boundary.ray, boundary.hit);
             path_exit(scene, path, &walk, surface.position, surface.error, surface.shading, surface.geometric, counts);
             break;
         }

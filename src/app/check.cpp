@@ -1,14 +1,15 @@
+#include "scene/check.h"
 #include "app/commands.h"
 #include "app/scene_options.h"
-#include "scene/check.h"
 #include <fmt/format.h>
 
 namespace nacre::app {
 
 Run add_check(CLI::App &program) {
     CLI::App *command = program.add_subcommand(
-        "check", "Say what may be wrong with a scene: open meshes, inverted normals, a mean free path out of proportion, what "
-                 "is ignored.");
+        "check",
+        "Say what may be wrong with a scene: open meshes, inverted normals, a mean free path out of proportion, what "
+        "is ignored.");
     const auto options = std::make_shared<SceneOptions>();
     options->add_to(*command);
     return [options] {

@@ -19,8 +19,8 @@ std::string describe(const render::Progress &p) {
     const double share = p.wanted > 0 ? double(p.samples) / double(p.wanted) : 1;
     const double left = share > 0 ? p.seconds * (1 - share) / share : 0;
     const double rate = p.seconds > 0 ? double(p.rays) / p.seconds : 0;
-    return fmt::format("{:3.0f} %  {:.2f} of {:.2f} M samples  {:.2f} M rays/s  {} left", 100 * share, double(p.samples) * 1e-6,
-                       double(p.wanted) * 1e-6, rate * 1e-6, duration(left));
+    return fmt::format("{:3.0f} %  {:.2f} of {:.2f} M samples  {:.2f} M rays/s  {} left", 100 * share,
+                       double(p.samples) * 1e-6, double(p.wanted) * 1e-6, rate * 1e-6, duration(left));
 }
 
 } // namespace
@@ -36,7 +36,8 @@ void ProgressBar::show(const render::Progress &progress) {
         fmt::print(stderr, "nacre: {}\n", describe(progress));
         return;
     }
-    const int cells = 24, full = int(cells * double(progress.samples) / double(std::max<std::uint64_t>(1, progress.wanted)));
+    const int cells = 24,
+              full = int(cells * double(progress.samples) / double(std::max<std::uint64_t>(1, progress.wanted)));
     fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\033[K", "", full, "", cells - full, describe(progress));
     std::fflush(stderr);
 }

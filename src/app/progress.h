@@ -4,7 +4,8 @@
 
 namespace nacre::app {
 
-/// Shows how far a render is: a bar that is redrawn on a terminal, a line every few seconds elsewhere, nothing if quiet.
+/// Shows how far a render is: a bar that is redrawn on a terminal, a line every few seconds elsewhere, nothing if
+/// quiet.
 class ProgressBar {
   public:
     explicit ProgressBar(bool quiet);

@@ -69,10 +69,11 @@ Run add_render(CLI::App &program) {
     CLI::App *command = program.add_subcommand("render", "Render a scene to a picture.");
     const auto options = std::make_shared<RenderOptions>();
     options->add_to(*command);
-    command->footer("Examples:\n"
-                    "  nacre render scenes/bear/bear.json -o bear.png\n"
-                    "  nacre render head.glb -o head.exr --spp 256 --size 1024x1024 --stats head.json\n"
-                    "  nacre render scene.json -o crop.exr --crop 100,100,200,200 --set render.channel_sampling=throughput");
+    command->footer(
+        "Examples:\n"
+        "  nacre render scenes/bear/bear.json -o bear.png\n"
+        "  nacre render head.glb -o head.exr --spp 256 --size 1024x1024 --stats head.json\n"
+        "  nacre render scene.json -o crop.exr --crop 100,100,200,200 --set render.channel_sampling=throughput");
     return [options] { return render_scene(*options); };
 }
 

@@ -33,10 +33,12 @@ void RenderOptions::add_to(CLI::App &command) {
     command.add_option("--size", size, "Size of the picture in pixels")->type_name("WxH");
     command.add_option("--crop", crop, "Render only pixels X0 <= x < X1, Y0 <= y < Y1")->type_name("X0,Y0,X1,Y1");
     command.add_option("--seed", seed, "Another seed gives other noise");
-    command.add_option("--aov", aov, "Layers: albedo,N,depth,variance,samples, or none (default: all in EXR, none in PNG)")
+    command
+        .add_option("--aov", aov, "Layers: albedo,N,depth,variance,samples, or none (default: all in EXR, none in PNG)")
         ->type_name("LIST");
     command.add_option("--device", device, "OpenCL device: index, cpu, gpu, or part of its name (see `nacre devices`)");
-    command.add_option("--kernels", kernels, "Read the kernels from this folder, not from the program")->type_name("DIR");
+    command.add_option("--kernels", kernels, "Read the kernels from this folder, not from the program")
+        ->type_name("DIR");
     command.add_option("--stats", stats, "Write what was done and what it cost as JSON")->type_name("FILE");
     command.add_flag("--generic", generic, "One kernel for every scene, to compare with the specialised one");
     command.add_flag("--strict", strict, "Fail if a sample is NaN or infinite");
@@ -64,11 +66,16 @@ render::Layers RenderOptions::layers() const {
     for (std::size_t from = 0; from <= aov->size();) {
         const std::size_t comma = std::min(aov->find(',', from), aov->size());
         const std::string name = aov->substr(from, comma - from);
-        if (name == "albedo") layers.albedo = true;
-        else if (name == "N") layers.normal = true;
-        else if (name == "depth") layers.depth = true;
-        else if (name == "variance") layers.variance = true;
-        else if (name == "samples") layers.samples = true;
+        if (name == "albedo")
+            layers.albedo = true;
+        else if (name == "N")
+            layers.normal = true;
+        else if (name == "depth")
+            layers.depth = true;
+        else if (name == "variance")
+            layers.variance = true;
+        else if (name == "samples")
+            layers.samples = true;
         else if (name != "none")
             throw Error(Exit::usage, "--aov " + *aov,
                         fmt::format("'{}' is no layer; there are albedo, N, depth, variance, samples, none", name));

@@ -1,8 +1,10 @@
 #include "device/cache.h"
+#include "device/seal.h"
 #include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
+#include <mutex>
 #include <signal.h>
 #include <unistd.h>
 #include <xxhash.h>
@@ -51,6 +53,7 @@ const fs::path &cache_folder() {
 
 void prepare_pocl_cache() {
     std::error_code ignored;
+    drop_broken_programs(pocl_folder());
     for (const auto &entry : fs::directory_iterator(cache_folder(), ignored))
         if (died_compiling(entry.path())) {
             wipe_pocl_cache();
@@ -60,11 +63,15 @@ void prepare_pocl_cache() {
     setenv("POCL_CACHE_DIR", pocl_folder().c_str(), 0);
 }
 
-void begin_compiling() { std::ofstream(marker(getpid())).put('\n'); }
+void begin_compiling() {
+    static std::once_flag once;
+    std::call_once(once, [] { std::atexit(finish_compiling); });
+    std::ofstream(marker(getpid())).put('\n');
+}
 
 void finish_compiling() {
     std::error_code ignored;
-    fs::remove(marker(getpid()), ignored);
+    if (fs::remove(marker(getpid()), ignored)) seal_programs(pocl_folder());
 }
 
 void wipe_pocl_cache() {
@@ -94,8 +101,10 @@ void store_binary(const std::string &key, const std::vector<unsigned char> &bina
     file.write(reinterpret_cast<const char *>(binary.data()), std::streamsize(binary.size()));
     file.close();
     std::error_code ignored;
-    if (file) fs::rename(temporary, cache_folder() / (key + ".bin"), ignored);
-    else fs::remove(temporary, ignored);
+    if (file)
+        fs::rename(temporary, cache_folder() / (key + ".bin"), ignored);
+    else
+        fs::remove(temporary, ignored);
 }
 
 } // namespace nacre::device

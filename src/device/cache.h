@@ -10,10 +10,12 @@ namespace nacre::device {
 const std::filesystem::path &cache_folder();
 
 /// Points PoCL at a private cache below cache_folder() (unless the user has set POCL_CACHE_DIR). Call before the first
-/// OpenCL call. A cache whose last user died while compiling is wiped: PoCL aborts on a half-written entry.
+/// OpenCL call. PoCL aborts on a broken entry: programs whose files are not what they were are removed, and everything
+/// is if a process died while compiling.
 void prepare_pocl_cache();
 
-/// Says that this process may be writing machine code into PoCL's cache, until `finish_compiling`.
+/// Says that this process may be writing machine code into PoCL's cache, until `finish_compiling` (or its normal end),
+/// which takes the checksums of what is new there.
 void begin_compiling();
 void finish_compiling();
 

@@ -28,8 +28,8 @@ struct Device {
     std::filesystem::path kernel_folder; // --kernels, empty: embedded
 };
 
-/// Opens by index ("0"), type ("cpu", "gpu"), or part of the device's or platform's name; empty: NACRE_DEVICE, then a GPU if
-/// there is one, then PoCL, then whatever there is. Throws Error{Exit::device} naming what exists.
+/// Opens by index ("0"), type ("cpu", "gpu"), or part of the device's or platform's name; empty: NACRE_DEVICE, then a
+/// GPU if there is one, then PoCL, then whatever there is. Throws Error{Exit::device} naming what exists.
 Device open_device(const std::string &selector = {});
 
 } // namespace nacre::device

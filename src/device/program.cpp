@@ -22,9 +22,9 @@ cl::Program compile(const Device &device, const std::string &source, const std::
     } catch (const cl::BuildError &error) {
         std::string log;
         for (const auto &[_, text] : error.getBuildLog()) log += text;
-        throw Error(Exit::device, device.info.name,
-                    fmt::format("{} failed with {} (options {}):\n{}", error.what(), error_name(error.err()), options,
-                                log));
+        throw Error(
+            Exit::device, device.info.name,
+            fmt::format("{} failed with {} (options {}):\n{}", error.what(), error_name(error.err()), options, log));
     }
     return program;
 }

@@ -13,7 +13,8 @@ struct Layers {
     bool surface() const { return albedo || normal || depth; }
 };
 
-/// Sums over all samples of every pixel, in double, in units of the device's film. Pixels are in tile order (shared/path.h).
+/// Sums over all samples of every pixel, in double, in units of the device's film. Pixels are in tile order
+/// (shared/path.h).
 class Film {
   public:
     Film(const Crop &crop, std::uint32_t planes);
@@ -27,7 +28,8 @@ class Film {
     /// Says that pixels [first, first + count) have `samples` more.
     void count_samples(std::uint32_t first, std::uint32_t count, std::uint32_t samples);
 
-    /// The mean of every pixel, with its layers; `unit` and `length` bring radiance and depth back to the scene's units.
+    /// The mean of every pixel, with its layers; `unit` and `length` bring radiance and depth back to the scene's
+    /// units.
     io::Picture picture(const Layers &layers, double unit, double length) const;
 
     std::uint64_t total_samples() const;

@@ -57,8 +57,8 @@ Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, st
         }
         geometry.objects.push_back(object);
         for (const auto &corner : mesh.triangles)
-            geometry.triangles.push_back({first_vertex + corner[0], first_vertex + corner[1], first_vertex + corner[2],
-                                          std::uint32_t(i)});
+            geometry.triangles.push_back(
+                {first_vertex + corner[0], first_vertex + corner[1], first_vertex + corner[2], std::uint32_t(i)});
         append_vertices(mesh, features, geometry);
         first_primitive += std::uint32_t(mesh.triangles.size());
         first_vertex += std::uint32_t(mesh.positions.size());

@@ -22,8 +22,8 @@ struct Draft {
     double power = 0;
 };
 
-/// Mean over a texel of the bilinear interpolant is separable: 1/8, 6/8, 1/8 of the neighbours. Drawing texels by it, and not
-/// by their own value, keeps the pixels beside a small sun from being drawn too rarely.
+/// Mean over a texel of the bilinear interpolant is separable: 1/8, 6/8, 1/8 of the neighbours. Drawing texels by it,
+/// and not by their own value, keeps the pixels beside a small sun from being drawn too rarely.
 std::vector<double> texel_weights(const scene::Light &source) {
     const std::uint32_t w = source.width, h = source.height;
     std::vector<double> value(std::size_t(w) * h), across(value.size()), weights(value.size());
@@ -31,15 +31,18 @@ std::vector<double> texel_weights(const scene::Light &source) {
         value[i] = luminance({source.pixels[3 * i], source.pixels[3 * i + 1], source.pixels[3 * i + 2]});
     for (std::uint32_t y = 0; y < h; ++y)
         for (std::uint32_t x = 0; x < w; ++x)
-            across[std::size_t(y) * w + x] = (value[std::size_t(y) * w + (x + w - 1) % w] + 6 * value[std::size_t(y) * w + x] +
-                                              value[std::size_t(y) * w + (x + 1) % w]) / 8;
+            across[std::size_t(y) * w + x] =
+                (value[std::size_t(y) * w + (x + w - 1) % w] + 6 * value[std::size_t(y) * w + x] +
+                 value[std::size_t(y) * w + (x + 1) % w]) /
+                8;
     for (std::uint32_t y = 0; y < h; ++y) {
         const double solid_angle = std::cos(pi * y / h) - std::cos(pi * (y + 1) / h); // of the row, / (2 pi / w)
         const std::uint32_t above = y > 0 ? y - 1 : 0, below = std::min(y + 1, h - 1);
         for (std::uint32_t x = 0; x < w; ++x)
-            weights[std::size_t(y) * w + x] =
-                solid_angle * (across[std::size_t(above) * w + x] + 6 * across[std::size_t(y) * w + x] +
-                               across[std::size_t(below) * w + x]) / 8;
+            weights[std::size_t(y) * w + x] = solid_angle *
+                                              (across[std::size_t(above) * w + x] + 6 * across[std::size_t(y) * w + x] +
+                                               across[std::size_t(below) * w + x]) /
+                                              8;
     }
     return weights;
 }
@@ -89,8 +92,8 @@ Draft far_or_small(const scene::Light &source, const scene::Frame &frame, double
 void triangles(const scene::Scene &scene, const scene::Object &object, const scene::Frame &frame,
                std::uint32_t first_primitive, std::vector<Draft> &drafts) {
     const scene::Material &material = scene.materials[object.material];
-    const Vec3 emission = scene::mean_color(scene, material[PARAMETER_emission_color]).cwiseProduct(
-        scene::mean_color(scene, material[PARAMETER_emission_luminance]));
+    const Vec3 emission = scene::mean_color(scene, material[PARAMETER_emission_color])
+                              .cwiseProduct(scene::mean_color(scene, material[PARAMETER_emission_luminance]));
     for (std::size_t i = 0; i < object.mesh.triangles.size(); ++i) {
         const auto &corner = object.mesh.triangles[i];
         const Vec3 a = frame.point(object.mesh.positions[corner[0]]), b = frame.point(object.mesh.positions[corner[1]]),
@@ -124,10 +127,14 @@ LightSet build_lights(const scene::Scene &scene, const scene::Frame &frame) {
         for (const scene::Light &source : scene.lights) {
             if (!wanted(source.kind)) continue;
             Draft draft;
-            if (source.kind == LIGHT_ENVIRONMENT) draft.radiance = source.radiance; // power 0: never drawn
-            else if (source.kind == LIGHT_ENVIRONMENT_IMAGE) draft = environment_image(source, radius, set);
-            else if (source.kind == LIGHT_RECT) draft = rect(source, frame);
-            else draft = far_or_small(source, frame, radius);
+            if (source.kind == LIGHT_ENVIRONMENT)
+                draft.radiance = source.radiance; // power 0: never drawn
+            else if (source.kind == LIGHT_ENVIRONMENT_IMAGE)
+                draft = environment_image(source, radius, set);
+            else if (source.kind == LIGHT_RECT)
+                draft = rect(source, frame);
+            else
+                draft = far_or_small(source, frame, radius);
             draft.light.kind = source.kind;
             draft.light.visible = source.visible;
             drafts.push_back(draft);

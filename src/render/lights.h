@@ -6,8 +6,8 @@
 
 namespace nacre::render {
 
-/// The lights of a scene as kernels read them: environments, rects, points and directions, then the triangles of meshes that
-/// emit, each with its share of the total power; and the tables they are drawn from.
+/// The lights of a scene as kernels read them: environments, rects, points and directions, then the triangles of meshes
+/// that emit, each with its share of the total power; and the tables they are drawn from.
 struct LightSet {
     std::vector<shared::Light> lights;
     std::vector<shared::AliasEntry> table;

@@ -28,10 +28,11 @@ Crop crop_that_fits(const Options &options, const scene::Scene &scene, const dev
     const std::uint64_t bytes = columns * rows * TILE * TILE * FILM_PLANES * sizeof(float4);
     const std::uint64_t limit = device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     if (bytes > limit)
-        throw Error(Exit::device, device.info.name,
-                    fmt::format("a picture of {} x {} pixels needs {} MB in one buffer, this device allows {} MB; render it in "
-                                "parts with --crop",
-                                crop.width(), crop.height(), bytes >> 20, limit >> 20));
+        throw Error(
+            Exit::device, device.info.name,
+            fmt::format("a picture of {} x {} pixels needs {} MB in one buffer, this device allows {} MB; render it in "
+                        "parts with --crop",
+                        crop.width(), crop.height(), bytes >> 20, limit >> 20));
     return crop;
 }
 
@@ -64,8 +65,9 @@ struct Session::Impl {
         variant.bvh_stack = scene.bvh_stack;
         program = device::build(device, variant);
         check_layout(device, program);
-        tracer = std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
-                                          std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)));
+        tracer =
+            std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
+                                     std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)));
         statistics.build = scene.build_seconds;
         statistics.compile = program.seconds;
         statistics.device = device.info.name;
@@ -109,12 +111,14 @@ struct Session::Impl {
 
     bool render(std::uint32_t spp, const std::function<void(const Progress &)> &report, const std::atomic<bool> *stop) {
         const Clock::time_point began = Clock::now();
-        const double inside = double(crop.width()) * crop.height() / film.pixels(); // share of pixels that are in the crop
+        const double inside =
+            double(crop.width()) * crop.height() / film.pixels(); // share of pixels that are in the crop
         Progress progress;
         progress.wanted = std::uint64_t(spp) * crop.width() * crop.height();
         bool stopped = false;
         for (std::uint32_t sample = 0; sample < spp && !stopped;) {
-            // A first look soon, then more samples at once: neighbouring paths meet the same geometry. Never across a block.
+            // A first look soon, then more samples at once: neighbouring paths meet the same geometry. Never across a
+            // block.
             const std::uint32_t in_block = sample % FILM_BLOCK;
             const std::uint32_t count =
                 std::min({spp - sample, FILM_BLOCK - in_block, in_block == 0 ? sample == 0 ? 1u : 16u : in_block, 16u});

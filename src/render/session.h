@@ -29,8 +29,8 @@ class Session {
     Session(device::Device device, const scene::Scene &scene, const Options &options);
     ~Session();
 
-    /// Takes samples [0, spp) of every pixel. `report` is called after every launch (every 50-200 ms); `stop` ends after the
-    /// current one, and the picture is then of what there is. Returns whether it came to the end.
+    /// Takes samples [0, spp) of every pixel. `report` is called after every launch (every 50-200 ms); `stop` ends
+    /// after the current one, and the picture is then of what there is. Returns whether it came to the end.
     bool render(std::uint32_t spp, const std::function<void(const Progress &)> &report = {},
                 const std::atomic<bool> *stop = nullptr);
 

@@ -37,8 +37,11 @@ std::string Statistics::json() const {
     for (int i = 0; i < COUNTER_COUNT; ++i) document["counters"][names[i]] = counters[i];
     document["counters"]["capped_energy"] = double(counters[COUNTER_capped_energy]) / COUNTER_ENERGY;
     if (counters[COUNTER_non_finite] > 0)
-        document["first_non_finite"] = {
-            {"x", bad_pixel_x}, {"y", bad_pixel_y}, {"sample", bad_sample}, {"vertex", bad_step >> 24}, {"step", bad_step & 0xffffff}};
+        document["first_non_finite"] = {{"x", bad_pixel_x},
+                                        {"y", bad_pixel_y},
+                                        {"sample", bad_sample},
+                                        {"vertex", bad_step >> 24},
+                                        {"step", bad_step & 0xffffff}};
     return document.dump(2) + "\n";
 }
 
@@ -48,23 +51,26 @@ std::vector<std::string> Statistics::remarks() const {
         return 100.0 * double(counters[counter]) / double(std::max<std::uint64_t>(1, counters[COUNTER_walks]));
     };
     if (counters[COUNTER_non_finite] > 0)
-        lines.push_back(fmt::format("{} samples were NaN or infinite and are black; the first at pixel {}, {}, sample {}, vertex "
-                                    "{}, step {} (--strict makes this an error)",
-                                    counters[COUNTER_non_finite], bad_pixel_x, bad_pixel_y, bad_sample, bad_step >> 24,
-                                    bad_step & 0xffffff));
+        lines.push_back(fmt::format(
+            "{} samples were NaN or infinite and are black; the first at pixel {}, {}, sample {}, vertex "
+            "{}, step {} (--strict makes this an error)",
+            counters[COUNTER_non_finite], bad_pixel_x, bad_pixel_y, bad_sample, bad_step >> 24, bad_step & 0xffffff));
     if (counters[COUNTER_escaped] > 0)
-        lines.push_back(fmt::format("{:.3g} % of the walks left through holes of open meshes and are lost; `nacre check` names "
-                                    "them",
-                                    share(COUNTER_escaped)));
+        lines.push_back(
+            fmt::format("{:.3g} % of the walks left through holes of open meshes and are lost; `nacre check` names "
+                        "them",
+                        share(COUNTER_escaped)));
     if (share(COUNTER_missed) > 0.01)
-        lines.push_back(fmt::format("{:.3g} % of the walks slipped through a surface by rounding and left where they were",
-                                    share(COUNTER_missed)));
+        lines.push_back(
+            fmt::format("{:.3g} % of the walks slipped through a surface by rounding and left where they were",
+                        share(COUNTER_missed)));
     if (counters[COUNTER_capped] > 0)
-        lines.push_back(fmt::format("{:.3g} % of the walks met subsurface_max_depth; {:.3g} % of the energy below the surface is "
-                                    "lost",
-                                    share(COUNTER_capped),
-                                    100.0 * double(counters[COUNTER_capped_energy]) / COUNTER_ENERGY /
-                                        double(std::max<std::uint64_t>(1, counters[COUNTER_walks]))));
+        lines.push_back(
+            fmt::format("{:.3g} % of the walks met subsurface_max_depth; {:.3g} % of the energy below the surface is "
+                        "lost",
+                        share(COUNTER_capped),
+                        100.0 * double(counters[COUNTER_capped_energy]) / COUNTER_ENERGY /
+                            double(std::max<std::uint64_t>(1, counters[COUNTER_walks]))));
     return lines;
 }
 

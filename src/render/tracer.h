@@ -13,8 +13,8 @@ class Tracer {
     Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene, std::uint32_t planes,
            std::uint32_t film_pixels, std::uint32_t capacity);
 
-    /// Traces a batch to its end (suspended paths included) and adds it to the film. Throws cl::Error; after one that says "out
-    /// of resources" the batch may be tried again in smaller parts. Returns the seconds of its kernels.
+    /// Traces a batch to its end (suspended paths included) and adds it to the film. Throws cl::Error; after one that
+    /// says "out of resources" the batch may be tried again in smaller parts. Returns the seconds of its kernels.
     double trace(shared::Batch batch);
 
     /// The film's sums since the last call, and clears them.

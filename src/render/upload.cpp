@@ -1,7 +1,7 @@
 #include "render/upload.h"
+#include "base/error.h"
 #include "render/camera.h"
 #include "render/convert.h"
-#include "base/error.h"
 #include <bit>
 #include <chrono>
 #include <xxhash.h>
@@ -31,7 +31,8 @@ class Uploader {
         hash = XXH3_64bits_withSeed(data, bytes, hash);
         if (bytes > 0) {
             // COPY_HOST_PTR and not USE_HOST_PTR: sharing host memory is not reliable across implementations.
-            entry.buffer = cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, bytes, const_cast<void *>(data));
+            entry.buffer =
+                cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, bytes, const_cast<void *>(data));
         }
         out.buffers.push_back(std::move(entry));
     }

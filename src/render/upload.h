@@ -15,8 +15,8 @@ struct Crop {
     std::uint32_t height() const { return y1 - y0; }
 };
 
-/// A scene on a device: one buffer for each argument of SCENE_PARAMETERS, in that order. What no feature asks for is not made:
-/// its buffer is null.
+/// A scene on a device: one buffer for each argument of SCENE_PARAMETERS, in that order. What no feature asks for is
+/// not made: its buffer is null.
 struct DeviceScene {
     struct Entry {
         std::string name;

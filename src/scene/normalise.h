@@ -3,8 +3,8 @@
 
 namespace nacre::scene {
 
-/// The frame in which kernels see a scene: p -> (p - centre) / size. Computed and applied in double, so that neither the
-/// place nor the scale of a scene costs digits.
+/// The frame in which kernels see a scene: p -> (p - centre) / size. Computed and applied in double, so that neither
+/// the place nor the scale of a scene costs digits.
 struct Frame {
     Vec3 centre{0, 0, 0}; // of the objects' bounding box
     double size = 1;      // its diagonal

@@ -56,8 +56,8 @@ TEST(Sphere, Furnace) {
                 }
 }
 
-// The mean way through a body without absorption is 4 V / S = 4 r / 3: for exponential and reciprocal flights, not for the
-// memo's (sphere of radius 5, bleed 1: -18.1 %).
+// The mean way through a body without absorption is 4 V / S = 4 r / 3: for exponential and reciprocal flights, not for
+// the memo's (sphere of radius 5, bleed 1: -18.1 %).
 TEST(Sphere, MeanPath) {
     const double exact = 4.0 / 3 * 5;
     expect_exact(run_walks(body(1, -5), 1 << 20).length, exact, 3e-2, "exponential");

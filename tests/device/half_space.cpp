@@ -27,11 +27,10 @@ struct Known {
 };
 
 const Known lambert_entry[] = {
-    {.5f, 0, 0, .1465443807},      {.5f, 0, .5f, .1496789652},  {.5f, 0, 1, .1524930237},
-    {.9f, 0, 0, .4780244892},      {.9f, 0, .5f, .4832079736},  {.9f, 0, 1, .4883614567},
-    {.99f, 0, 0, .7945636529},     {.99f, 0, .5f, .7972926928}, {.99f, 0, 1, .8005208025},
-    {.9f, .5f, 0, .36015164},      {.9f, .8f, 0, .21672348},    {.9f, .9f, 0, .13258493},
-    {.99f, .8f, 0, .60264779},     {.9f, .8f, .5f, .221501, 1e-5},
+    {.5f, 0, 0, .1465443807},   {.5f, 0, .5f, .1496789652},     {.5f, 0, 1, .1524930237},  {.9f, 0, 0, .4780244892},
+    {.9f, 0, .5f, .4832079736}, {.9f, 0, 1, .4883614567},       {.99f, 0, 0, .7945636529}, {.99f, 0, .5f, .7972926928},
+    {.99f, 0, 1, .8005208025},  {.9f, .5f, 0, .36015164},       {.9f, .8f, 0, .21672348},  {.9f, .9f, 0, .13258493},
+    {.99f, .8f, 0, .60264779},  {.9f, .8f, .5f, .221501, 1e-5},
 };
 
 void check_lambert(bool quick) {
@@ -68,8 +67,8 @@ void check_universal(bool quick) {
 TEST(HalfSpace, UniversalLaw) { check_universal(true); }
 TEST(LongHalfSpace, UniversalLaw) { check_universal(false); }
 
-// P(out after n scatters) = C_n / 4^n, n >= 1, with the Catalan numbers 1, 2, 5, 14, ...: the series of (1-r)/(1+r) in the
-// albedo, whatever the law. Albedo 1, so that every walk counts.
+// P(out after n scatters) = C_n / 4^n, n >= 1, with the Catalan numbers 1, 2, 5, 14, ...: the series of (1-r)/(1+r) in
+// the albedo, whatever the law. Albedo 1, so that every walk counts.
 TEST(HalfSpace, UniversalLawByScatters) {
     for (const float bleed : {0.f, 1.f, 2.f}) {
         Probe probe = half_space(1, 0, bleed);
@@ -128,7 +127,8 @@ TEST(HalfSpace, ChromaticExtinction) {
             probe.albedo = {.99f, .9f, .5f, 0};
             probe.bleed = bleed;
             const Walks found = run_walks_to(probe, 2e-3, sampling);
-            const double exact[2][3] = {{.7945636529, .4780244892, .1465443807}, {.8005208025, .4883614567, .1524930237}};
+            const double exact[2][3] = {{.7945636529, .4780244892, .1465443807},
+                                        {.8005208025, .4883614567, .1524930237}};
             for (std::size_t c = 0; c < 3; ++c)
                 expect_exact(found.near[c], exact[bleed > 0][c], 2e-3, ("channel " + std::to_string(c)).c_str());
             EXPECT_LT(found.largest, 20) << "no walk may weigh much more than the channels' number";

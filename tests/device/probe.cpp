@@ -48,8 +48,7 @@ std::vector<float> run_probe(const char *name, const Probe &probe, std::size_t i
     frame.channel_sampling = sampling;
     const cl::Buffer frames(device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof frame, &frame);
     const cl::Buffer out(device.context, CL_MEM_READ_WRITE, items * width * sizeof(float));
-    if (!initial.empty())
-        device.queue.enqueueWriteBuffer(out, true, 0, initial.size() * sizeof(float), initial.data());
+    if (!initial.empty()) device.queue.enqueueWriteBuffer(out, true, 0, initial.size() * sizeof(float), initial.data());
     cl::Kernel kernel(program_for(features), name);
     kernel.setArg(0, frames);
     kernel.setArg(1, sizeof probe, &probe);

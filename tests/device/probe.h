@@ -30,10 +30,10 @@ struct Estimate {
 
 /// Walks in a body with a known answer.
 struct Walks {
-    std::array<Estimate, 3> near, far; // per channel: leaving on the side of the entry, on the other side
-    Estimate unscattered, length;      // share that never scattered; length of the way, channel 0
+    std::array<Estimate, 3> near, far;   // per channel: leaving on the side of the entry, on the other side
+    Estimate unscattered, length;        // share that never scattered; length of the way, channel 0
     std::array<Estimate, 8> by_scatters; // share that leaves after n scatters (either side)
-    double largest = 0;                // weight
+    double largest = 0;                  // weight
 };
 
 /// `walks` of them, each work-item's mean taken as one sample of the statistics.

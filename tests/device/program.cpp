@@ -1,7 +1,7 @@
 // Building programs: the binary cache, its defences, errors that carry the build log.
+#include "device/program.h"
 #include "base/error.h"
 #include "device/cache.h"
-#include "device/program.h"
 #include "device/source.h"
 #include <cstdlib>
 #include <fstream>
