@@ -57,7 +57,7 @@ void translate_specular(GltfDraft &draft) {
 
 void translate_emission(GltfDraft &draft) {
     const Vec3 factor = gltf_color(draft.json, "emissiveFactor", Vec3::Zero(), draft.where);
-    if (factor.isZero()) return; // black, whatever the texture
+    if (factor == Vec3(0, 0, 0)) return; // black, whatever the texture
     draft.fields["emission_color"] = to_json(factor);
     draft.fields["emission_luminance"] =
         gltf_number(draft.extension("KHR_materials_emissive_strength"), "emissiveStrength", 1, draft.where);

@@ -30,7 +30,7 @@ void translate_extinction(GltfDraft &draft, double fallback_radius) {
     if (distance > 0)
         for (int c = 0; c < 3; ++c) // black would be infinitely dense; 1e-6 is opaque after a few attenuationDistances
             extinction[c] = -std::log(std::clamp(color[c], 1e-6, 1.0)) / distance;
-    if (extinction.isZero()) {
+    if (extinction == Vec3(0, 0, 0)) {
         draft.fields["subsurface_radius"] = fallback_radius;
         draft.fields["subsurface_radius_scale"] = 1;
         draft.warn(fmt::format("KHR_materials_volume gives no attenuation, so nothing could scatter; a mean free path "
