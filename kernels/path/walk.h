@@ -44,7 +44,8 @@ void walk_store(const Walk *walk, Path *path) {
     path->steps = walk->steps;
 }
 
-// Sends the path into the medium below `surface`, on the inner side of its geometric normal.
+// Sends the path into the medium below `surface`, on the inner side of its geometric normal. Where a ray met the back of an
+// open mesh that side is outside: the walk leaves at once, and the sheet shows the light of its other side.
 void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *surface, Counts *counts) {
     global const Material *material = scene->materials + scene->objects[surface->object].material;
     medium_at(scene, material, surface->uv, path);

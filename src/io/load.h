@@ -11,8 +11,8 @@ struct Override {
     std::string path, value;
 };
 
-/// Reads any scene nacre knows: nacre JSON, glTF (.gltf, .glb), a bare mesh (.obj, .ply; default camera, light and skin).
-/// Files named by it are looked for beside it, then in the folders of NACRE_ASSETS (a ':' separated list).
+/// Reads any scene nacre knows: nacre JSON, glTF (.gltf, .glb), a bare mesh (.obj, .ply; default camera, light and
+/// skin). Files named by it are looked for beside it, then in the folders of NACRE_ASSETS (a ':' separated list).
 /// Throws Error{Exit::input}. `Scene::warnings` names what was read but not used.
 scene::Scene load_scene(const std::filesystem::path &file, const std::vector<Override> &overrides = {});
 

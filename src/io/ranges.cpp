@@ -44,8 +44,9 @@ const std::map<std::string, Range> &table() {
         {"material.subsurface_radius", positive},
         {"material.subsurface_radius_scale", positive},
         {"material.subsurface_scatter_anisotropy",
-         {-0.9999, 0.9999}},                    // (-1, 1): the ends, and what rounds to them, are deltas
-        {"material.subsurface_bleed", {0, 1e4}}, // flights past float's range end at the surface, so large values do no harm
+         {-0.9999, 0.9999}}, // (-1, 1): the ends, and what rounds to them, are deltas
+        {"material.subsurface_bleed",
+         {0, 1e4}}, // flights past float's range end at the surface, so large values do no harm
         {"material.subsurface_max_depth", {0, largest_integer, false, false, true}},
         {"texture.scale", any},
         {"texture.offset", any},

@@ -11,7 +11,7 @@ namespace nacre::scene {
 
 /// Pixels of a material texture, ready for upload: linear half floats, row 0 is the top of the picture.
 struct Image {
-    std::string name; // file, for messages
+    std::string name;                                  // file, for messages
     std::uint32_t width = 0, height = 0, channels = 0; // channels 1 or 4
     std::vector<std::uint16_t> halves;                 // width * height * channels
 };
@@ -52,8 +52,8 @@ struct Object {
 
 struct Light {
     shared::LightKind kind = shared::LIGHT_ENVIRONMENT;
-    Vec3 radiance{1, 1, 1}; // radiance, or intensity (point), or irradiance (directional); scale of an image
-    Vec3 position{0, 0, 0}; // centre of a rect, the point
+    Vec3 radiance{1, 1, 1};      // radiance, or intensity (point), or irradiance (directional); scale of an image
+    Vec3 position{0, 0, 0};      // centre of a rect, the point
     Vec3 u{1, 0, 0}, v{0, 0, 1}; // whole edges of a rect
     Vec3 direction{0, -1, 0};    // directional: where the light goes, unit
     double rotate = 0;           // environment image, degrees counter-clockwise about +y
@@ -66,9 +66,9 @@ struct Light {
 struct Camera {
     shared::CameraKind kind = shared::CAMERA_PERSPECTIVE;
     Vec3 position{0, 0, 4}, target{0, 0, 0}, up{0, 1, 0};
-    double fov = 35;    // vertical, degrees
-    double height = 2;  // orthographic: scene units
-    double aperture = 0; // diameter of the lens, scene units
+    double fov = 35;           // vertical, degrees
+    double height = 2;         // orthographic: scene units
+    double aperture = 0;       // diameter of the lens, scene units
     double focus_distance = 0; // 0: the distance to the target
 };
 

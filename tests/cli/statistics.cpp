@@ -46,7 +46,7 @@ TEST_F(Cli, EnergyLostToACapIsSaid) {
 }
 
 TEST_F(Cli, LostWalksAreSaid) {
-    const Outcome outcome = run(small_render(NACRE_SCENES "/features/open_mesh.json", "a.exr"));
+    const Outcome outcome = run(small_render(NACRE_SCENES "/features/open_mesh.json", "a.exr", {"--spp", "16"}));
     EXPECT_NE(outcome.err.find("open meshes"), std::string::npos) << outcome.err;
 }
 

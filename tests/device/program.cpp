@@ -48,7 +48,11 @@ TEST(Program, BrokenCacheEntryIsRebuilt) {
         fs::resize_file(entry, broken);
         EXPECT_FALSE(device::build(device, variant).cached) << "truncated to " << broken;
     }
-    std::fstream(entry, std::ios::in | std::ios::out | std::ios::binary).seekp(std::streamoff(size / 2)).put('!');
+    std::fstream file(entry, std::ios::in | std::ios::out | std::ios::binary);
+    const auto middle = std::streamoff(fs::file_size(entry) / 2);
+    const int byte = file.seekg(middle).get();
+    file.seekp(middle).put(char(~byte));
+    file.close();
     EXPECT_FALSE(device::build(device, variant).cached) << "one byte changed";
     EXPECT_TRUE(device::build(device, variant).cached) << "and written again";
     fs::remove(entry);
