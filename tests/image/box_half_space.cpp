@@ -47,6 +47,14 @@ void check_universal(double bleed, bool quick) {
 TEST(Box, UniversalLawExponential) { check_universal(0, true); }
 TEST(Box, UniversalLawBleedHalf) { check_universal(.5, true); }
 TEST(Box, UniversalLawBleedOne) { check_universal(1, true); }
+// A walk starts on its triangle, not below it by a share of the triangle's size: that cost 1 % here.
+TEST(Box, LargeTriangles) {
+    const Three exact = {(1 - std::sqrt(.5)) / (1 + std::sqrt(.5)), (1 - std::sqrt(.1)) / (1 + std::sqrt(.1)),
+                         9.0 / 11};
+    const auto found = rendered_to(plain_box({.albedo = {.5, .9, .99}, .entry = "uniform"}, 1e4), quick_errors(exact));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c].value, exact[c], 4 * found[c].error);
+}
+
 TEST(LongBox, UniversalLaw) {
     for (const double bleed : {0., .5, 1.}) check_universal(bleed, false);
 }

@@ -12,9 +12,12 @@ struct Medium {
 
 /// A box whose face is a half-space to the camera, which looks straight at it: `thickness` mean free paths deep and as
 /// many wide, in a white sky. A speck behind the camera puts the face at the scene's centre, where coordinates are
-/// small and their rounding is much less than a mean free path. The face is two triangles, 1e6 mean free paths wide: a
-/// walk has to start on them, not below by a share of their size.
+/// small and their rounding is much less than a mean free path.
 scene::Scene half_space(const Medium &medium, double thickness);
+
+/// The built-in box, of two triangles a side, `thickness` mean free paths deep and wide: walks start on large
+/// triangles.
+scene::Scene plain_box(const Medium &medium, double thickness);
 
 /// A slab of optical depth `tau`, so wide that its edges are out of reach. With `plate` a black plate lies behind it,
 /// which keeps the light off its back: the picture is then its reflectance alone, without it reflectance and
