@@ -1,6 +1,6 @@
 // Entry points that trace given rays, for the tests and benchmarks of geometry/.
 #include "geometry/ray.h"
-#include "geometry/traverse.h"
+#include "geometry/stream.h"
 
 #ifndef RAYS_PER_ITEM
 #define RAYS_PER_ITEM 1
@@ -20,14 +20,26 @@ Ray load_ray(global const float4 *rays, uint index) {
     return ray;
 }
 
+// Fills a stream with the rays from `begin` on, up to `end`; how many.
+uint load_stream(RayStream *stream, global const float4 *rays, uint begin, uint end, uint root) {
+    const uint count = min((uint)STREAM_RAYS, end - begin);
+    for (uint i = 0; i < count; i++) stream_put(stream, i, load_ray(rays, begin + i), root);
+    return count;
+}
+
 // hits: t, primitive, block, slot.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void
 probe_closest(global const float4 *rays, global uint4 *hits, global const float *nodes, global const float *blocks,
               uint root, uint count) {
-    const uint begin = get_global_id(0) * RAYS_PER_ITEM;
-    for (uint i = begin; i < min(begin + RAYS_PER_ITEM, count); i++) {
-        const Hit hit = trace_closest(load_ray(rays, i), nodes, blocks, root);
-        hits[i] = (uint4)(as_uint(hit.t), hit.primitive, hit.block, hit.slot);
+    const uint begin = get_global_id(0) * RAYS_PER_ITEM, end = min(begin + RAYS_PER_ITEM, count);
+    RayStream stream;
+    for (uint i = begin; i < end; i += STREAM_RAYS) {
+        const uint part = load_stream(&stream, rays, i, end, root);
+        trace_stream(&stream, first_bits(part), nodes, blocks, false);
+        for (uint k = 0; k < part; k++) {
+            const Hit hit = stream_hit(&stream, blocks, k);
+            hits[i + k] = (uint4)(as_uint(hit.t), hit.primitive, hit.block, hit.slot);
+        }
     }
 }
 
@@ -35,9 +47,13 @@ probe_closest(global const float4 *rays, global uint4 *hits, global const float 
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void
 probe_any(global const float4 *rays, global uint *hits, global const float *nodes, global const float *blocks,
           uint root, uint count) {
-    const uint begin = get_global_id(0) * RAYS_PER_ITEM;
-    for (uint i = begin; i < min(begin + RAYS_PER_ITEM, count); i++)
-        hits[i] = (uint)trace_any(load_ray(rays, i), nodes, blocks, root);
+    const uint begin = get_global_id(0) * RAYS_PER_ITEM, end = min(begin + RAYS_PER_ITEM, count);
+    RayStream stream;
+    for (uint i = begin; i < end; i += STREAM_RAYS) {
+        const uint part = load_stream(&stream, rays, i, end, root);
+        trace_stream(&stream, first_bits(part), nodes, blocks, true);
+        for (uint k = 0; k < part; k++) hits[i + k] = stream.block[k] != BVH_NO_PRIMITIVE;
+    }
 }
 
 // Traces a ray and, from where it hits, another one along `directions` (3 floats each), off the surface on the side that

@@ -61,6 +61,10 @@ float3 triangle_vertex(global const float *blocks, uint block, uint slot, uint k
     return (float3)(rows[0], rows[BVH_WIDTH], rows[2 * BVH_WIDTH]);
 }
 
+uint block_primitive(global const float *blocks, uint block, uint slot) {
+    return as_uint(blocks[((size_t)block * BVH_BLOCK_ROWS + BVH_ROW_PRIMITIVE) * BVH_WIDTH + slot]);
+}
+
 // Weights of the three vertices at a hit: each >= 0, sum 1 up to rounding. The arithmetic of traverse_triangle.h.
 float3 hit_barycentrics(Ray ray, global const float *blocks, Hit hit) {
     const Shear s = shear_of(ray.origin, ray.direction, ray_reciprocal(ray.direction));

@@ -16,6 +16,12 @@
 
 #define BVH_NO_CHILD 0xffffffffu
 
+// Largest |coordinate| of the tree, which bounds the rounding of its vertices. A tree of a single leaf has no boxes.
+float tree_extent(global const float *nodes, uint root) {
+    const size_t row = (size_t)root * BVH_NODE_ROWS + BVH_ROW_EXTENT;
+    return (root & BVH_LEAF_BIT) ? 0.0f : nodes[row * BVH_WIDTH];
+}
+
 // False for what cannot hit anything and would make the boxes' arithmetic meaningless: NaN, infinity, a zero direction.
 bool is_traceable(float3 origin, float3 direction) {
     const float3 o = fabs(origin), d = fabs(direction);
@@ -59,6 +65,13 @@ uint enter_node(const Slabs *slabs, global const float *node, float t_min, float
     return first;
 }
 
+// Whether a hit is nearer than the nearest so far. Of triangles hit at the same t, on a common edge, the first primitive
+// counts, so that the order of visits, which depends on how much of a ray is traced, does not show in a picture.
+bool is_nearer(global const float *blocks, uint block, uint slot, float t, const Hit *hit) {
+    if (t != hit->t || hit->block == BVH_NO_PRIMITIVE) return t <= hit->t;
+    return block_primitive(blocks, block, slot) < block_primitive(blocks, hit->block, hit->slot);
+}
+
 // Hits of a leaf that are closer than hit->t. True as soon as there is one, if any will do.
 bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float t_min, bool any, Hit *hit) {
     const uint first = leaf & BVH_LEAF_FIRST_MASK;
@@ -75,7 +88,7 @@ bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float 
             for (; bits != 0u; bits &= bits - 1u) {
                 const uint i = lowest_bit(bits);
                 const float t = ((const float *)&distance)[i] / ((const float *)&area)[i];
-                if (!(t > t_min && t <= hit->t)) continue;
+                if (!(t > t_min) || !is_nearer(blocks, block, slot + i, t, hit)) continue;
                 hit->t = t;
                 hit->block = block;
                 hit->slot = slot + i;
@@ -96,9 +109,7 @@ Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global c
 
     const float3 rcp = ray_reciprocal(direction);
     const Shear shear = shear_of(origin, direction, rcp);
-    const size_t root_row = (size_t)root * BVH_NODE_ROWS + BVH_ROW_EXTENT;
-    const float extent = (root & BVH_LEAF_BIT) ? 0.0f : nodes[root_row * BVH_WIDTH];
-    const Slabs slabs = slabs_of(origin, rcp, extent);
+    const Slabs slabs = slabs_of(origin, rcp, tree_extent(nodes, root));
     uint stack[BVH_STACK];
     float stack_t[BVH_STACK];
     uint size = 0, current = root;
@@ -118,8 +129,7 @@ Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global c
 Hit trace_closest(Ray ray, global const float *nodes, global const float *blocks, uint root) {
     Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, false);
     if (hit.block == BVH_NO_PRIMITIVE) return hit;
-    const size_t row = (size_t)hit.block * BVH_BLOCK_ROWS + BVH_ROW_PRIMITIVE;
-    hit.primitive = as_uint(blocks[row * BVH_WIDTH + hit.slot]);
+    hit.primitive = block_primitive(blocks, hit.block, hit.slot);
     return hit;
 }
 

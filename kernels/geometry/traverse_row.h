@@ -61,5 +61,9 @@ uint row_bits(RowMask m) { return ((as_uint(convert_char4(m)) & 0x08040201u) * 0
 
 // Index of the lowest set bit of a number that is not 0. LLVM makes one instruction of it, unlike of clz(bits & -bits).
 uint lowest_bit(uint bits) { return popcount(~bits & (bits - 1u)); }
+uint lowest_bit64(ulong bits) { return (uint)popcount(~bits & (bits - 1ul)); }
+
+// The lowest `count` bits, 1 to 64.
+ulong first_bits(uint count) { return ~0ul >> (64u - count); }
 
 #endif

@@ -1,4 +1,5 @@
 #include "accel/probe.h"
+#include "device/buffer.h"
 #include "device/program.h"
 #include <fmt/format.h>
 #include <string_view>
@@ -19,7 +20,7 @@ std::uint32_t rounded_up(std::uint32_t stack) { return std::max(stack + 63, 64u)
 } // namespace
 
 RayProbe::RayProbe(const device::Device &device, const accel::Bvh &bvh, const std::string &extra, std::uint32_t stack)
-    : device(device), nodes(upload_list<float>(device, bvh.nodes)), blocks(upload_list<float>(device, bvh.blocks)) {
+    : device(device), nodes(device::constant_buffer<float>(device, bvh.nodes)), blocks(device::constant_buffer<float>(device, bvh.blocks)) {
     device::Variant variant;
     variant.entry = "probe_rays.cl";
     variant.bvh_stack = stack ? stack : rounded_up(bvh.stack);
