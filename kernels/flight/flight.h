@@ -40,6 +40,13 @@ real flight_transmittance(const Scene *scene, Flight flight, real tau) {
     return exp(-flight.rate * flight_depth(scene, flight, tau));
 }
 
+// Density of how a flight ended, per unit of tau: the transmittance of one that `left` the medium, else the pdf of its scatter.
+real flight_density(const Scene *scene, Flight flight, real tau, mask left) {
+    if (!HAS(BLEED)) return exp(-tau);
+    const real depth = flight_depth(scene, flight, tau);
+    return pick(left, (real)(1.0f), flight.rate) * exp(-(flight.rate + pick(left, (real)(0.0f), flight.bleed)) * depth);
+}
+
 // Per unit of tau: a density per length is sigma times this.
 real flight_pdf(const Scene *scene, Flight flight, real tau) {
     if (!HAS(BLEED)) return exp(-tau);

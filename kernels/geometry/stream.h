@@ -4,11 +4,16 @@
 #define NACRE_GEOMETRY_STREAM_H
 
 #include "geometry/traverse.h"
+#include "lanes/lanes.h"
 
 #pragma OPENCL FP_CONTRACT OFF
 
 #ifndef STREAM_RAYS
-#define STREAM_RAYS 32 // rays of a stream
+#if LANES == 1
+#define STREAM_RAYS 1
+#else
+#define STREAM_RAYS 32 // rays of a stream, at least LANES
+#endif
 #endif
 #ifndef STREAM_FLIGHT
 #define STREAM_FLIGHT 16 // of which this many are under way at a time
@@ -44,6 +49,10 @@ typedef struct {
     uint size;    // of its stack
     uint ray;
 } Flying;
+
+// The first LANES of a row at once.
+#define STREAM_ROW(row) (*(real *)(row))
+#define STREAM_ROW_UINT(row) (*(natural *)(row))
 
 void stream_put(RayStream *stream, uint i, Ray ray, uint root) {
     stream->origin_x[i] = ray.origin.x;

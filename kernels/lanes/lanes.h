@@ -3,6 +3,8 @@
 #ifndef NACRE_LANES_LANES_H
 #define NACRE_LANES_LANES_H
 
+#include "lanes/bits.h"
+
 #ifndef LANES
 #define LANES 1
 #endif
@@ -20,7 +22,9 @@ typedef int mask;
 #define to_real(x) convert_float(x)
 #define as_natural(x) as_uint(x)
 #define as_real(x) as_float(x)
+#define MASK_TRUE 1
 uint bits(mask m) { return m != 0 ? 1u : 0u; }
+mask mask_of(uint set) { return set != 0u; }
 #else
 typedef LANES_JOIN(float, LANES) real;
 typedef LANES_JOIN(int, LANES) whole;
@@ -31,30 +35,46 @@ typedef LANES_JOIN(int, LANES) mask;
 #define to_real(x) LANES_JOIN(convert_float, LANES)(x)
 #define as_natural(x) LANES_JOIN(as_uint, LANES)(x)
 #define as_real(x) LANES_JOIN(as_float, LANES)(x)
-#if LANES == 4
-uint bits(mask m) {
-    const int4 b = m & (int4)(1, 2, 4, 8);
-    return (uint)(b.x | b.y | b.z | b.w);
-}
+#define MASK_TRUE -1
+uint bits(mask m) { return LANES_JOIN(bits, LANES)(m); }
+mask mask_of(uint set) {
+    const uint16 lane = (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+#if LANES == 16
+    return (set & lane) != 0u;
 #elif LANES == 8
-uint bits(mask m) {
-    const int8 b = m & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
-    const int4 h = b.lo | b.hi;
-    return (uint)(h.x | h.y | h.z | h.w);
-}
+    return (set & lane.lo) != 0u;
 #else
-uint bits(mask m) {
-    const int16 b = m & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
-    const int8 h = b.lo | b.hi;
-    const int4 q = h.lo | h.hi;
-    return (uint)(q.x | q.y | q.z | q.w);
+    return (set & lane.lo.lo) != 0u;
+#endif
 }
 #endif
+
+#define LANES_ALL (0xffffffffu >> (32 - LANES))
+
+// Runs what follows for each lane l whose bit is set. With one lane l is a constant, so that the lane's values stay in registers.
+#if LANES == 1
+#define FOR_LANES(l, set) for (uint l = 0u, once_##l = (set); once_##l != 0u; once_##l = 0u)
+#else
+#define FOR_LANES(l, set)                                                                                              \
+    for (uint rest_##l = (set), l = lowest_bit(rest_##l); rest_##l != 0u; rest_##l &= rest_##l - 1u, l = lowest_bit(rest_##l))
 #endif
+
+// One lane's value of a real, a whole or a natural; can be assigned to.
+#define LANE_FLOAT(x, l) (((float *)&(x))[l])
+#define LANE_INT(x, l) (((int *)&(x))[l])
+#define LANE_UINT(x, l) (((uint *)&(x))[l])
 
 typedef struct {
     real x, y, z;
 } real3;
+
+real3 pick3(mask m, real3 a, real3 b) {
+    real3 r;
+    r.x = pick(m, a.x, b.x);
+    r.y = pick(m, a.y, b.y);
+    r.z = pick(m, a.z, b.z);
+    return r;
+}
 
 // sin and cos of 2 pi u for u in [0, 1]. Argument reduction is exact in turns; polynomials on [-pi/4, pi/4] from Moshier's
 // Cephes (sinf, cosf): within 2 ulp. In place of sincos(), which takes a pointer and is scalar in PoCL. Once over scalars,

@@ -10,9 +10,6 @@
 #define PATH_ROULETTE_START 3u
 #endif
 
-// Steps that a ray and its shading cost in the budget of a launch, against one flight of a walk.
-#define PATH_RAY_COST 8u
-
 // Which pixel of the whole image is at `index` of the tile order; false: beyond the crop's edge.
 bool pixel_at(const Scene *scene, uint index, uint *x, uint *y) {
     global const Frame *frame = scene->frame;
@@ -92,8 +89,8 @@ bool path_reflect(Path *path, const Specular *specular, float2 xi_microfacet, fl
     return true;
 }
 
-// Draws what happens at a surface: reflection, diffuse scattering, or entry; and adds its direct light.
-void path_scatter(const Scene *scene, Path *path, global const Material *material, const Surface *surface, float3 view,
+// Draws what happens at a surface: reflection, diffuse scattering, or entry. Returns its direct light.
+Shadow path_scatter(const Scene *scene, Path *path, global const Material *material, const Surface *surface, float3 view,
                   Counts *counts) {
     const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
     const float2 lobe = draw_pair(sampler, DRAW_LOBE);
@@ -126,12 +123,11 @@ void path_scatter(const Scene *scene, Path *path, global const Material *materia
             }
         }
     }
-    if (lit && largest3(direct) > 0.0f &&
-        light_seen(scene, surface->position, surface->error, surface->geometric, &sample, counts))
-        path->radiance.xyz += direct * sample.radiance;
     path->vertex += 1u;
     if (path->state == PATH_RAY)
         path->position.xyz = offset_point(surface->position, surface->error, surface->geometric, path->direction.xyz);
+    if (!lit) return no_shadow();
+    return shadow_of(surface->position, surface->error, surface->geometric, &sample, direct * sample.radiance);
 }
 
 // Ends paths of little throughput, without bias.
@@ -152,23 +148,28 @@ void path_roulette(const Scene *scene, Path *path, Counts *counts) {
     path->throughput.xyz *= 1.0f / heaviest;
 }
 
-// One ray and what it meets. `layers`: two float4 of the first surface.
-void path_ray(const Scene *scene, Path *path, Counts *counts, global float4 *layers) {
+Ray path_ray(float3 position, float3 direction) {
     Ray ray;
-    ray.origin = path->position.xyz;
-    ray.direction = path->direction.xyz;
+    ray.origin = position;
+    ray.direction = direction;
     ray.t_min = 0.0f;
     ray.t_max = MAXFLOAT;
-    const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, scene->frame->bvh_root);
+    return ray;
+}
+
+// What the path's ray met: adds the light it found and goes on from there. Returns the direct light of the surface that is yet
+// to be asked for. `layers`: two float4 of the first surface.
+Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
+    const Ray ray = path_ray(path->position.xyz, path->direction.xyz);
     counts->value[COUNTER_rays] += 1u;
-    const bool camera = path->hits == 0u, missed = hit.primitive == BVH_NO_PRIMITIVE;
+    const bool camera = path->hits == 0u, missed = hit.block == BVH_NO_PRIMITIVE;
     const float density = path->direction.w;
     float3 light = light_of_rects(scene, ray.origin, ray.direction, missed ? MAXFLOAT : hit.t, density, camera);
     if (missed) {
         light += light_of_sky(scene, ray.direction, density, camera);
         path->radiance.xyz += path->throughput.xyz * light;
         path->state = PATH_DONE;
-        return;
+        return no_shadow();
     }
     Surface surface = surface_at(scene, ray, hit);
     if (HAS(EMISSION))
@@ -186,24 +187,12 @@ void path_ray(const Scene *scene, Path *path, Counts *counts, global float4 *lay
     }
     if (scene->frame->max_depth != 0u && path->hits >= scene->frame->max_depth) {
         path->state = PATH_DONE;
-        return;
+        return no_shadow();
     }
     path->hits += 1u;
-    path_scatter(scene, path, material, &surface, -ray.direction, counts);
+    const Shadow shadow = path_scatter(scene, path, material, &surface, -ray.direction, counts);
     path_roulette(scene, path, counts);
-}
-
-// Goes on until the path is done or has used up its budget.
-void path_advance(const Scene *scene, Path *path, uint budget, Counts *counts, global float4 *layers) {
-    uint used = 0u;
-    while (path->state != PATH_DONE && used < budget) {
-        if (path->state == PATH_RAY) {
-            path_ray(scene, path, counts, layers);
-            used += PATH_RAY_COST;
-        } else {
-            used += path_walk(scene, path, budget - used, counts);
-        }
-    }
+    return shadow;
 }
 
 #endif

@@ -1,48 +1,10 @@
-// A path's walk below the surface: in, through, and out again.
+// A path's way into the medium and out of it, and its place among the lanes between the two.
 #ifndef NACRE_PATH_WALK_H
 #define NACRE_PATH_WALK_H
 
-#include "path/count.h"
 #include "path/light.h"
-#include "walk/boundary.h"
 #include "walk/medium.h"
-#include "walk/walk.h"
-
-float3 scalar3(real3 v) { return (float3)(v.x, v.y, v.z); }
-
-real3 lanes3(float3 v) {
-    real3 r;
-    r.x = v.x;
-    r.y = v.y;
-    r.z = v.z;
-    return r;
-}
-
-Walk walk_load(const Path *path) {
-    Walk walk;
-    walk.position = lanes3(path->position.xyz);
-    walk.direction = lanes3(path->direction.xyz);
-    walk.weight = lanes3(path->weight.xyz);
-    walk.share = lanes3(path->share.xyz);
-    walk.sigma = lanes3(path->sigma.xyz);
-    walk.albedo = lanes3(path->albedo.xyz);
-    walk.anisotropy = path->anisotropy;
-    walk.bleed = path->bleed;
-    walk.reciprocal = path->flight == FLIGHT_RECIPROCAL;
-    walk.channel = (int)path->channel;
-    walk.first_number = path->first_number;
-    walk.steps = path->steps;
-    return walk;
-}
-
-void walk_store(const Walk *walk, Path *path) {
-    path->position.xyz = scalar3(walk->position);
-    path->direction.xyz = scalar3(walk->direction);
-    path->weight.xyz = scalar3(walk->weight);
-    path->share.xyz = scalar3(walk->share);
-    path->channel = (uint)walk->channel;
-    path->steps = walk->steps;
-}
+#include "walk/turn.h"
 
 // Sends the path into the medium below `surface`, on the inner side of its geometric normal. Where a ray met the back of an
 // open mesh that side is outside: the walk leaves at once, and the sheet shows the light of its other side.
@@ -57,24 +19,26 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     path->object = surface->object;
     path->first_number = first.y;
     path->depth = 1u;
+    path->steps = 0u;
     path->state = PATH_WALK;
-    Walk walk = walk_load(path);
-    walk_begin(scene, &walk, first.x);
-    walk_store(&walk, path);
+    const WalkStart start = walk_start(scene, first.x);
+    path->weight.xyz = start.weight;
+    path->share.xyz = start.share;
+    path->channel = start.channel;
     counts->value[COUNTER_walks] += 1u;
 }
 
 // Out at `position`: lit there with Lambert's response about `shading`, without surface colour.
-void path_exit(const Scene *scene, Path *path, const Walk *walk, float3 position, float3 error, float3 shading,
-               float3 geometric, Counts *counts) {
+Shadow path_exit(const Scene *scene, Path *path, float3 position, float3 error, float3 shading, float3 geometric) {
     const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
-    path->throughput.xyz *= scalar3(walk->weight);
+    path->throughput.xyz *= path->weight.xyz;
     path->state = PATH_RAY;
-    light_lambert(scene, path, sampler, position, error, shading, geometric, counts);
+    const Shadow shadow = light_lambert(scene, path, sampler, position, error, shading, geometric);
     path->direction.xyz = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), shading, geometric);
     path->direction.w = lambert_pdf(path->direction.xyz, shading, geometric);
     path->position.xyz = offset_point(position, error, geometric, path->direction.xyz);
     path->vertex += 1u;
+    return shadow;
 }
 
 void path_lose(Path *path, Counts *counts, int reason) {
@@ -82,61 +46,88 @@ void path_lose(Path *path, Counts *counts, int reason) {
     path->state = PATH_DONE;
 }
 
-// Takes up to `budget` flights; returns how many. The path is then out, done, or still inside.
-uint path_walk(const Scene *scene, Path *path, uint budget, Counts *counts) {
-    Walk walk = walk_load(path);
+// Puts the walk of a path into lane l. `at` is where the path itself is kept.
+void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const Path *path, uint at) {
+    Walk *walk = &lanes->walk;
+    LANE_FLOAT(walk->position.x, l) = path->position.x;
+    LANE_FLOAT(walk->position.y, l) = path->position.y;
+    LANE_FLOAT(walk->position.z, l) = path->position.z;
+    LANE_FLOAT(walk->direction.x, l) = path->direction.x;
+    LANE_FLOAT(walk->direction.y, l) = path->direction.y;
+    LANE_FLOAT(walk->direction.z, l) = path->direction.z;
+    LANE_FLOAT(walk->weight.x, l) = path->weight.x;
+    LANE_FLOAT(walk->weight.y, l) = path->weight.y;
+    LANE_FLOAT(walk->weight.z, l) = path->weight.z;
+    LANE_FLOAT(walk->share.x, l) = path->share.x;
+    LANE_FLOAT(walk->share.y, l) = path->share.y;
+    LANE_FLOAT(walk->share.z, l) = path->share.z;
+    LANE_FLOAT(walk->sigma.x, l) = path->sigma.x;
+    LANE_FLOAT(walk->sigma.y, l) = path->sigma.y;
+    LANE_FLOAT(walk->sigma.z, l) = path->sigma.z;
+    LANE_FLOAT(walk->albedo.x, l) = path->albedo.x;
+    LANE_FLOAT(walk->albedo.y, l) = path->albedo.y;
+    LANE_FLOAT(walk->albedo.z, l) = path->albedo.z;
+    LANE_FLOAT(walk->anisotropy, l) = path->anisotropy;
+    LANE_FLOAT(walk->bleed, l) = path->bleed;
+    LANE_INT(walk->reciprocal, l) = path->flight == FLIGHT_RECIPROCAL ? MASK_TRUE : 0;
+    LANE_INT(walk->channel, l) = (int)path->channel;
+    LANE_FLOAT(walk->first_number, l) = path->first_number;
+    LANE_UINT(walk->steps, l) = path->steps;
     const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+    LANE_UINT(lanes->key, l) = sampler.key;
+    LANE_UINT(lanes->sample, l) = sampler.sample;
+    LANE_UINT(lanes->vertex, l) = sampler.vertex;
     global const Object *object = scene->objects + path->object;
-    const float radius = scene->frame->scene_radius;
-    const float beyond = 4.0f * radius;              // longer than any way through the scene
-    const float outside2 = 1.01f * radius * radius; // no object reaches there
-    uint steps = 0u;
-    while (steps < budget && path->state == PATH_WALK) {
-        steps += 1u;
-        const uint4 words = draw_bits(sampler, DRAW_WALK, walk.steps);
-        if (walk_chooses(scene))
-            walk_choose(scene, &walk, random_unit(draw_bits(sampler, DRAW_WALK_CHANNEL, walk.steps).x));
-        const float number = walk.steps == 0u ? path->first_number : random_unit(words.x);
-        const float length = walk_distance(scene, &walk, number);
-        const float3 origin = scalar3(walk.position), direction = scalar3(walk.direction);
-        const Boundary boundary =
-            boundary_follow(scene, object->walk_root, origin, direction, fmin(length, beyond), path->depth);
-        counts->value[COUNTER_walk_rays] += boundary.rays;
-        path->depth = boundary.depth;
-        if (boundary.left) {
-            walk_leave(scene, &walk, boundary.distance);
-            const Surface surface = surface_at(scene, boundary.ray, boundary.hit);
-            path_exit(scene, path, &walk, surface.position, surface.error, surface.shading, surface.geometric, counts);
-            break;
-        }
-        if (length >= beyond || dot(origin, origin) > outside2) {
-            if (!object->closed) {
-                path_lose(path, counts, COUNTER_escaped);
-                break;
-            }
-            // Rounding let it slip through a closed surface: it leaves where it is, the way it flies.
-            counts->value[COUNTER_missed] += 1u;
-            path_exit(scene, path, &walk, origin, (float3)(0.0f), direction, direction, counts);
-            break;
-        }
-        walk_scatter(scene, &walk, length, random_unit(words.y), random_unit(words.z));
-        if (!bits(walk_roulette(&walk, random_unit(words.w)))) {
-            const float sum = walk.weight.x + walk.weight.y + walk.weight.z;
-            if (!isfinite(sum)) path->radiance.xyz = sum; // so that it is counted, not hidden
-            path_lose(path, counts, COUNTER_roulette);
-            break;
-        }
-        if (path->max_depth != 0u && walk.steps >= path->max_depth) {
-            const float3 lost = path->throughput.xyz * scalar3(walk.weight);
-            counts->value[COUNTER_capped_energy] += (uint)fmin(1e9f, (lost.x + lost.y + lost.z) * (COUNTER_ENERGY / 3.0f));
-            path_lose(path, counts, COUNTER_capped);
-            break;
-        }
+    LANE_UINT(lanes->root, l) = object->walk_root;
+    LANE_UINT(lanes->depth, l) = path->depth;
+    LANE_UINT(lanes->max_depth, l) = path->max_depth;
+    LANE_UINT(lanes->path, l) = at;
+    LANE_FLOAT(lanes->clear, l) = 0.0f;
+    if (HAS(CLEARANCE)) clearance_set(&lanes->field, l, object->clearance);
+}
+
+// Takes what a walk changes back into its path.
+void lane_store(const WalkLanes *lanes, uint l, Path *path) {
+    const Walk *walk = &lanes->walk;
+    path->position.xyz =
+        (float3)(LANE_FLOAT(walk->position.x, l), LANE_FLOAT(walk->position.y, l), LANE_FLOAT(walk->position.z, l));
+    path->direction.xyz =
+        (float3)(LANE_FLOAT(walk->direction.x, l), LANE_FLOAT(walk->direction.y, l), LANE_FLOAT(walk->direction.z, l));
+    path->weight.xyz = (float3)(LANE_FLOAT(walk->weight.x, l), LANE_FLOAT(walk->weight.y, l), LANE_FLOAT(walk->weight.z, l));
+    path->share.xyz = (float3)(LANE_FLOAT(walk->share.x, l), LANE_FLOAT(walk->share.y, l), LANE_FLOAT(walk->share.z, l));
+    path->channel = (uint)LANE_INT(walk->channel, l);
+    path->steps = LANE_UINT(walk->steps, l);
+    path->depth = LANE_UINT(lanes->depth, l);
+}
+
+// What became of the walk in lane l, one of those that `ends` names: out, or lost.
+Shadow lane_end(const Scene *scene, const WalkLanes *lanes, const RayStream *stream, uint l, TurnEnds ends, Path *path,
+                Counts *counts) {
+    const uint bit = 1u << l;
+    lane_store(lanes, l, path);
+    if (ends.left & bit) {
+        const Surface surface = surface_at(scene, stream_ray(stream, l), stream_hit(stream, scene->blocks, l));
+        return path_exit(scene, path, surface.position, surface.error, surface.shading, surface.geometric);
     }
-    if (path->state == PATH_WALK) walk_store(&walk, path);
-    path->steps = walk.steps;
-    counts->value[COUNTER_steps] += steps;
-    return steps;
+    if (ends.slipped & bit) {
+        if (!scene->objects[path->object].closed) {
+            path_lose(path, counts, COUNTER_escaped);
+            return no_shadow();
+        }
+        // Rounding let it slip through a closed surface: it leaves where it is, the way it flies.
+        counts->value[COUNTER_missed] += 1u;
+        return path_exit(scene, path, path->position.xyz, (float3)(0.0f), path->direction.xyz, path->direction.xyz);
+    }
+    if (ends.capped & bit) {
+        const float3 lost = path->throughput.xyz * path->weight.xyz;
+        counts->value[COUNTER_capped_energy] += (uint)fmin(1e9f, (lost.x + lost.y + lost.z) * (COUNTER_ENERGY / 3.0f));
+        path_lose(path, counts, COUNTER_capped);
+        return no_shadow();
+    }
+    const float sum = path->weight.x + path->weight.y + path->weight.z;
+    if (!isfinite(sum)) path->radiance.xyz = sum; // so that it is counted, not hidden
+    path_lose(path, counts, COUNTER_roulette);
+    return no_shadow();
 }
 
 #endif

@@ -44,6 +44,11 @@ uint4 draw_bits(Sampler sampler, Draw name, uint step) {
     return random_hash((uint4)(sampler.key, sampler.sample, sampler.vertex * (uint)DRAW_COUNT + (uint)name, step));
 }
 
+// The same for each lane of a turn.
+Natural4 lane_draw(natural key, natural sample, natural vertex, Draw name, natural step) {
+    return lane_hash(key, sample, vertex * (uint)DRAW_COUNT + (uint)name, step);
+}
+
 // Two words; their upper bits are the even ones.
 uint2 draw_words(Sampler sampler, Draw name) {
     const uint dimension = sampler.vertex * (uint)DRAW_COUNT + (uint)name;

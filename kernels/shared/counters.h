@@ -32,11 +32,12 @@ SHARED_END
 #define COUNTER_SLICES 64
 #define COUNTER_STRIDE 16                      // uints per slice: one cache line
 #define COUNTER_ENERGY 4096                    // counts per unit of throughput
-#define COUNTER_TAIL (COUNTER_SLICES * COUNTER_STRIDE) // after the slices: suspended paths, and the first non-finite sample
-#define COUNTER_SUSPENDED (COUNTER_TAIL + 0)
-#define COUNTER_BAD_PIXEL (COUNTER_TAIL + 1)   // pixel + 1, 0: none
-#define COUNTER_BAD_SAMPLE (COUNTER_TAIL + 2)
-#define COUNTER_BAD_STEP (COUNTER_TAIL + 3)    // vertex << 24 | scatters of its last walk
-#define COUNTER_WORDS (COUNTER_TAIL + 4)
+#define COUNTER_TAIL (COUNTER_SLICES * COUNTER_STRIDE) // after the slices: this launch, and the first non-finite sample
+#define COUNTER_SUSPENDED (COUNTER_TAIL + 0)  // paths left to the next launch
+#define COUNTER_NEXT (COUNTER_TAIL + 1)        // first path of the launch that no worker has taken
+#define COUNTER_BAD_PIXEL (COUNTER_TAIL + 2)   // pixel + 1, 0: none
+#define COUNTER_BAD_SAMPLE (COUNTER_TAIL + 3)
+#define COUNTER_BAD_STEP (COUNTER_TAIL + 4)    // vertex << 24 | scatters of its last walk
+#define COUNTER_WORDS (COUNTER_TAIL + 5)
 
 #endif

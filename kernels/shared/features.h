@@ -20,7 +20,8 @@
     X(RECT)              /* rect lights */                                                                             \
     X(DELTA_LIGHT)       /* point or directional lights */                                                             \
     X(LENS)              /* camera aperture > 0 */                                                                     \
-    X(SURFACE_AOV)       /* layers albedo, N, depth */
+    X(SURFACE_AOV)       /* layers albedo, N, depth */                                                                  \
+    X(CLEARANCE)         /* an object has a clearance field */
 
 SHARED_BEGIN
 

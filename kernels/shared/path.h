@@ -34,7 +34,7 @@ struct Batch {
     uint first_pixel, pixel_count, first_sample, sample_count;
     uint resumed;  // paths to go on with instead of new ones
     uint capacity; // paths that can be suspended
-    uint budget;   // steps a path may take before it is suspended
+    uint budget;   // steps that paths may take before they are suspended: each of its own, or a worker's after the last new path
     uint pad;
 };
 
@@ -47,6 +47,9 @@ typedef struct Batch Batch;
 
 // Pixels are visited in tiles of TILE x TILE, so that neighbouring work-items see neighbouring geometry.
 #define TILE 8
+
+// Paths that a worker (a work-item of LANES > 1) has under way at a time. They stay in its second-level cache.
+#define POOL_PATHS 256
 
 // Planes of the film: sums over the samples of one block, float4 each.
 #define FILM_RADIANCE 0 // rgb, alpha

@@ -3,6 +3,7 @@
 #ifndef NACRE_SHARED_SCENE_H
 #define NACRE_SHARED_SCENE_H
 
+#include "shared/clearance.h"
 #include "shared/types.h"
 
 // Parameters of a material, in OpenPBR's names. Each has a value and, where `texture` >= 0, an image that replaces it.
@@ -86,6 +87,7 @@ struct Object {
     uint first_primitive;
     uint closed; // every edge has two triangles: a walk can only leave through the surface
     uint pad[3];
+    Clearance clearance; // for walks
 };
 
 // One surface that emits, an environment, or a point. Sampled with `probability`, a share of the total power.

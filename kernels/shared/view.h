@@ -33,6 +33,7 @@ typedef struct {
     global const AliasEntry *light_table;
     global const AliasEntry *environment_table;
     global const float4 *environment;   // rgb and share of the light, per texel
+    global const uint *clearance;       // fields of the objects, four cells per word: shared/clearance.h
 } Scene;
 
 #define SCENE_PARAMETERS                                                                                               \
@@ -40,11 +41,11 @@ typedef struct {
         global const uint4 *triangles, global const float *normals, global const float *uvs,                          \
         global const Material *materials, global const Texture *textures, global const half *texels,                  \
         global const Light *lights, global const AliasEntry *light_table, global const AliasEntry *environment_table, \
-        global const float4 *environment
+        global const float4 *environment, global const uint *clearance
 
 #define SCENE_ARGUMENTS                                                                                                \
     frame, nodes, blocks, objects, triangles, normals, uvs, materials, textures, texels, lights, light_table,         \
-        environment_table, environment
+        environment_table, environment, clearance
 
 // HAS(x): does this scene need x? Known at compile time, or with --generic asked of the scene at run time.
 #ifdef GENERIC

@@ -40,7 +40,7 @@ real3 triple(real x) {
     return r;
 }
 
-real largest(real3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+real largest(real3 v) { return max(v.x, max(v.y, v.z)); }
 
 whole choose_channel(real3 share, real xi) {
     return pick(xi < share.x, (whole)(0), pick(xi < share.x + share.y, (whole)(1), (whole)(2)));
@@ -57,21 +57,22 @@ real3 normalised(real3 v) {
     return r;
 }
 
-// Weights and channel at the entry. xi in (0, 1) draws the channel; position, direction and medium are set by the caller.
-void walk_begin(const Scene *scene, Walk *walk, real xi) {
-    walk->steps = (natural)(0);
-    walk->weight = triple((real)(1.0f));
-    walk->share = triple((real)(1.0f / 3.0f));
-    walk->channel = choose_channel(walk->share, xi);
+// Weights, shares and channel at the entry. xi in (0, 1) draws the channel.
+typedef struct {
+    float3 weight, share;
+    uint channel;
+} WalkStart;
+
+WalkStart walk_start(const Scene *scene, float xi) {
+    WalkStart start;
+    start.channel = min((uint)(xi * 3.0f), 2u);
+    start.weight = (float3)(1.0f);
+    start.share = (float3)(1.0f / 3.0f);
     if (scene->frame->channel_sampling == CHANNEL_SINGLE) {
-        const real zero = (real)(0.0f), one = (real)(1.0f);
-        walk->share.x = pick(walk->channel == 0, one, zero);
-        walk->share.y = pick(walk->channel == 1, one, zero);
-        walk->share.z = pick(walk->channel == 2, one, zero);
-        walk->weight.x = 3.0f * walk->share.x;
-        walk->weight.y = 3.0f * walk->share.y;
-        walk->weight.z = 3.0f * walk->share.z;
+        start.share = (float3)(start.channel == 0u, start.channel == 1u, start.channel == 2u);
+        start.weight = 3.0f * start.share;
     }
+    return start;
 }
 
 // The modes that draw a channel for every flight do it in walk_choose, before the flight.
@@ -113,39 +114,33 @@ void walk_weigh(const Scene *scene, Walk *walk, real3 density, real3 factor) {
     }
 }
 
-// The flight reached the surface after `distance`.
-void walk_leave(const Scene *scene, Walk *walk, real distance) {
+// The flight ended after `distance`: at the surface where `left`, else in a scatter, from where it goes on in a new direction.
+// xi_cosine, xi_azimuth in (0, 1).
+void walk_arrive(const Scene *scene, Walk *walk, real distance, mask left, real xi_cosine, real xi_azimuth) {
     const Flight flight = walk_flight(walk);
-    real3 density;
-    density.x = flight_transmittance(scene, flight, walk->sigma.x * distance);
-    density.y = flight_transmittance(scene, flight, walk->sigma.y * distance);
-    density.z = flight_transmittance(scene, flight, walk->sigma.z * distance);
-    walk_weigh(scene, walk, density, triple((real)(1.0f)));
-}
-
-// The flight ended in a scatter after `distance`: moves there and turns. xi_cosine, xi_azimuth in (0, 1).
-void walk_scatter(const Scene *scene, Walk *walk, real distance, real xi_cosine, real xi_azimuth) {
-    const Flight flight = walk_flight(walk);
-    real3 density;
-    density.x = walk->sigma.x * flight_pdf(scene, flight, walk->sigma.x * distance);
-    density.y = walk->sigma.y * flight_pdf(scene, flight, walk->sigma.y * distance);
-    density.z = walk->sigma.z * flight_pdf(scene, flight, walk->sigma.z * distance);
-    walk_weigh(scene, walk, density, walk->albedo);
+    const real one = (real)(1.0f);
+    real3 density, factor;
+    density.x = flight_density(scene, flight, walk->sigma.x * distance, left) * pick(left, one, walk->sigma.x);
+    density.y = flight_density(scene, flight, walk->sigma.y * distance, left) * pick(left, one, walk->sigma.y);
+    density.z = flight_density(scene, flight, walk->sigma.z * distance, left) * pick(left, one, walk->sigma.z);
+    factor.x = pick(left, one, walk->albedo.x);
+    factor.y = pick(left, one, walk->albedo.y);
+    factor.z = pick(left, one, walk->albedo.z);
+    walk_weigh(scene, walk, density, factor);
     walk->position.x = fma(walk->direction.x, distance, walk->position.x);
     walk->position.y = fma(walk->direction.y, distance, walk->position.y);
     walk->position.z = fma(walk->direction.z, distance, walk->position.z);
     walk->direction = phase_sample(scene, walk->anisotropy, xi_cosine, xi_azimuth, walk->direction);
-    walk->steps += 1u;
+    walk->steps += pick(left, (natural)(0), (natural)(1));
 }
 
 // Russian roulette on the largest weight, never on the drawn channel's. Returns who survives: no NaN does, so that every
-// walk ends.
-mask walk_roulette(Walk *walk, real xi) {
+// walk ends. Those that `left` do not play.
+mask walk_roulette(Walk *walk, real xi, mask left) {
     const real sum = walk->weight.x + walk->weight.y + walk->weight.z;
     const real heaviest = pick(sum >= 0.0f, largest(walk->weight), (real)(-1.0f));
-    const mask plays = heaviest < WALK_ROULETTE;
-    const mask survives = xi * WALK_ROULETTE < heaviest;
-    const real scale = pick(plays && survives, WALK_ROULETTE / heaviest, (real)(1.0f));
+    const mask survives = (xi * WALK_ROULETTE < heaviest) | left;
+    const real scale = pick((heaviest < WALK_ROULETTE) & survives & (left == 0), WALK_ROULETTE / heaviest, (real)(1.0f));
     walk->weight.x *= scale;
     walk->weight.y *= scale;
     walk->weight.z *= scale;

@@ -25,24 +25,24 @@ Quirks quirks_of(const DeviceInfo &info) {
     const int width = host_vector_width();
     const Row rows[] = {
         {"Portable Computing Language",
-         {.bvh_width = width, .bvh_vector = true, .work_group = 1, .binary_cache = false},
+         {.bvh_width = width, .bvh_vector = true, .lanes = width, .work_group = 1, .binary_cache = false},
          "PoCL does not vectorise divergent kernels: vectors are explicit, a work-group of one saves its loop. It "
          "caches machine code itself, in our private folder, and aborts on a binary it cannot read."},
         {"Oclgrind",
-         {.bvh_width = 8, .bvh_vector = true, .work_group = 1, .binary_cache = false},
+         {.bvh_width = 8, .bvh_vector = true, .lanes = 1, .work_group = 1, .binary_cache = false},
          "False alarms on 16 wide vectors; has no binaries."},
         {"rusticl",
-         {.bvh_width = 4, .bvh_vector = false, .work_group = 8, .binary_cache = true},
+         {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 8, .binary_cache = true},
          "llvmpipe is fastest with scalar code and groups of 8."},
         {"Intel(R) OpenCL",
-         {.bvh_width = width, .bvh_vector = true, .work_group = 1, .binary_cache = true},
+         {.bvh_width = width, .bvh_vector = true, .lanes = width, .work_group = 1, .binary_cache = true},
          "A CPU runtime: explicit vectors as on PoCL."},
     };
     for (const Row &row : rows)
         if (info.platform.find(row.platform) != std::string::npos) return row.quirks;
     if (info.type & CL_DEVICE_TYPE_CPU)
-        return {.bvh_width = width, .bvh_vector = true, .work_group = 1, .binary_cache = true};
-    return {.bvh_width = 4, .bvh_vector = false, .work_group = 64, .binary_cache = true};
+        return {.bvh_width = width, .bvh_vector = true, .lanes = width, .work_group = 1, .binary_cache = true};
+    return {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 64, .binary_cache = true};
 }
 
 } // namespace nacre::device

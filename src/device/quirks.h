@@ -7,6 +7,7 @@ namespace nacre::device {
 struct Quirks {
     int bvh_width = 8;        // children per BVH node: 16, 8 or 4
     bool bvh_vector = false;  // test a node's children in one vector operation, else in a loop
+    int lanes = 1;            // walks side by side in a work-item: 16, 8, 4, or 1 where work-items are lanes already
     int work_group = 64;      // the one work-group size of every kernel
     bool binary_cache = true; // keep program binaries of our own
 };

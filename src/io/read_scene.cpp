@@ -40,7 +40,9 @@ void read_settings(Fields &root, Reading &reading) {
     if (const Json *tree = root.find("device")) {
         Fields device(*tree, "device", "device", reading.source);
         device.read("lanes", reading.scene.lanes);
-        if (reading.scene.lanes > 1) device.fail("lanes", "more than 1 is not built yet, use 0 (automatic) or 1");
+        const int lanes = reading.scene.lanes;
+        if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16)
+            device.fail("lanes", "must be 1, 4, 8 or 16, or 0 for what suits the device");
         device.finish();
     }
 }

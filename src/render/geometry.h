@@ -16,6 +16,7 @@ struct Geometry {
     std::vector<shared::uint4> triangles; // three vertices, object
     std::vector<float> normals;           // 3 per vertex, where the features have SMOOTH; 0: use the geometric one
     std::vector<float> uvs;               // 2 per vertex, where they have TEXTURES
+    std::vector<std::uint8_t> clearance;  // fields of the objects, one after the other
 };
 
 /// Builds the trees: one over everything, and one for each object with subsurface scattering unless it is alone.

@@ -11,7 +11,7 @@ using namespace shared;
 
 static_assert(sizeof(Camera) == 96 && offsetof(Camera, kind) == 64);
 static_assert(sizeof(Material) == 16 * PARAMETER_COUNT + 4 * PARAMETER_COUNT + 24 && sizeof(Material) % 16 == 0);
-static_assert(sizeof(Texture) == 48 && sizeof(Object) == 32 && sizeof(AliasEntry) == 8);
+static_assert(sizeof(Texture) == 48 && sizeof(Object) == 80 && sizeof(AliasEntry) == 8);
 static_assert(sizeof(Light) == 112 && offsetof(Light, kind) == 80);
 static_assert(sizeof(Frame) % 16 == 0 && offsetof(Frame, width) == 96);
 static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, anisotropy) == 128);
@@ -23,7 +23,7 @@ struct Size {
 };
 
 // In the order of the kernel `layout`.
-constexpr std::array<Size, 9> sizes = {{{"Camera", sizeof(Camera)},
+constexpr std::array<Size, 10> sizes = {{{"Camera", sizeof(Camera)},
                                         {"Material", sizeof(Material)},
                                         {"Texture", sizeof(Texture)},
                                         {"Object", sizeof(Object)},
@@ -31,7 +31,8 @@ constexpr std::array<Size, 9> sizes = {{{"Camera", sizeof(Camera)},
                                         {"AliasEntry", sizeof(AliasEntry)},
                                         {"Frame", sizeof(Frame)},
                                         {"Path", sizeof(Path)},
-                                        {"Batch", sizeof(Batch)}}};
+                                        {"Batch", sizeof(Batch)},
+                                         {"Clearance", sizeof(Clearance)}}};
 
 } // namespace
 

@@ -36,6 +36,11 @@ Crop crop_that_fits(const Options &options, const scene::Scene &scene, const dev
     return crop;
 }
 
+device::Device with_lanes(device::Device device, int wanted) {
+    if (wanted > 0) device.quirks.lanes = wanted;
+    return device;
+}
+
 } // namespace
 
 struct Session::Impl {
@@ -54,7 +59,7 @@ struct Session::Impl {
     std::uint32_t taken = 0; // samples that every pixel has
 
     Impl(device::Device opened, const scene::Scene &source, const Options &options)
-        : device(std::move(opened)), layers(options.layers), crop(crop_that_fits(options, source, device)),
+        : device(with_lanes(std::move(opened), source.lanes)), layers(options.layers), crop(crop_that_fits(options, source, device)),
           planes(layers.surface() ? FILM_PLANES : FILM_ALBEDO), film(crop, planes),
           full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
         const std::uint32_t features = scene::features(source, layers.surface());
@@ -63,6 +68,7 @@ struct Session::Impl {
         variant.features = options.generic ? std::uint32_t(FEATURE_ALL) : features;
         variant.generic = options.generic;
         variant.bvh_stack = scene.bvh_stack;
+        variant.lanes = device.quirks.lanes;
         program = device::build(device, variant);
         check_layout(device, program);
         tracer =

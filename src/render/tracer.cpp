@@ -7,7 +7,8 @@ namespace {
 
 using namespace shared;
 
-/// Steps a path takes before it is suspended: some milliseconds, so that no launch hangs on a few endless walks.
+/// Steps a path (or a worker that finds no new one) takes before it is suspended: some milliseconds, so that no launch hangs
+/// on a few endless walks.
 constexpr std::uint32_t step_budget = 4096;
 
 cl::Buffer make(const device::Device &device, std::size_t bytes) {
@@ -19,15 +20,21 @@ cl::Buffer make(const device::Device &device, std::size_t bytes) {
 Tracer::Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene,
                std::uint32_t planes, std::uint32_t film_pixels, std::uint32_t capacity)
     : device(device), trace_kernel(program.program, "trace_paths"), accumulate_kernel(program.program, "accumulate"),
-      suspended_capacity(scene.frame.features & FEATURE_SUBSURFACE ? capacity / 4 : 1), counted(COUNTER_WORDS) {
+      workers(device.quirks.lanes > 1 ? device.info.compute_units : 0),
+      suspended_capacity(workers > 0                                   ? workers * POOL_PATHS
+                         : scene.frame.features & FEATURE_SUBSURFACE ? capacity / 4
+                                                                     : 1),
+      counted(COUNTER_WORDS) {
     radiance_bytes = std::size_t(capacity) * sizeof(float4);
     layer_bytes = planes > FILM_ALBEDO ? 2 * radiance_bytes : 0;
     film_bytes = std::size_t(film_pixels) * planes * sizeof(float4);
     path_bytes = std::size_t(suspended_capacity) * sizeof(Path);
+    pool_bytes = std::size_t(workers) * POOL_PATHS * sizeof(Path);
     radiance = make(device, radiance_bytes);
     layers = make(device, layer_bytes);
     film = make(device, film_bytes);
     counters = make(device, COUNTER_WORDS * sizeof(uint));
+    pool = make(device, pool_bytes);
     for (cl::Buffer &buffer : paths) buffer = make(device, path_bytes);
     device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes);
     device.queue.enqueueFillBuffer(counters, 0u, 0, COUNTER_WORDS * sizeof(uint));
@@ -35,6 +42,7 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     trace_kernel.setArg(scene_arguments + 1, radiance);
     trace_kernel.setArg(scene_arguments + 2, layers);
     trace_kernel.setArg(scene_arguments + 5, counters);
+    trace_kernel.setArg(scene_arguments + 6, pool);
     scene.bind(accumulate_kernel);
     accumulate_kernel.setArg(scene_arguments + 1, radiance);
     accumulate_kernel.setArg(scene_arguments + 2, layers);
@@ -58,12 +66,13 @@ double Tracer::trace(Batch batch) {
     double seconds = 0;
     std::size_t items = std::size_t(batch.pixel_count) * batch.sample_count;
     for (int turn = 0; items > 0; turn ^= 1) {
-        const uint none = 0;
-        device.queue.enqueueWriteBuffer(counters, false, COUNTER_SUSPENDED * sizeof(uint), sizeof none, &none);
+        constexpr uint none[] = {0, 0}; // suspended, and next
+        static_assert(COUNTER_NEXT == COUNTER_SUSPENDED + 1);
+        device.queue.enqueueWriteBuffer(counters, false, COUNTER_SUSPENDED * sizeof(uint), sizeof none, none);
         trace_kernel.setArg(scene_arguments, batch);
         trace_kernel.setArg(scene_arguments + 3, paths[turn]);
         trace_kernel.setArg(scene_arguments + 4, paths[turn ^ 1]);
-        seconds += launch(trace_kernel, items);
+        seconds += launch(trace_kernel, workers > 0 ? workers : items);
         uint suspended = 0;
         device.queue.enqueueReadBuffer(counters, true, COUNTER_SUSPENDED * sizeof(uint), sizeof suspended, &suspended);
         batch.resumed = std::min(suspended, suspended_capacity);
@@ -92,7 +101,7 @@ void Tracer::take_counters(Statistics &statistics) {
 }
 
 std::vector<std::pair<std::string, std::size_t>> Tracer::memory() const {
-    return {{"radiance", radiance_bytes}, {"layers", layer_bytes}, {"film", film_bytes}, {"paths", 2 * path_bytes}};
+    return {{"radiance", radiance_bytes}, {"layers", layer_bytes}, {"film", film_bytes}, {"paths", 2 * path_bytes}, {"pool", pool_bytes}};
 }
 
 } // namespace nacre::render

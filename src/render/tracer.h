@@ -30,9 +30,10 @@ class Tracer {
     const device::Device &device;
     cl::Kernel trace_kernel, accumulate_kernel;
     cl_uint scene_arguments;
+    std::uint32_t workers; // work-items of a launch that take paths as they can; 0: one path each
     std::uint32_t suspended_capacity;
-    std::size_t layer_bytes = 0, film_bytes = 0, radiance_bytes = 0, path_bytes = 0;
-    cl::Buffer radiance, layers, film, counters;
+    std::size_t layer_bytes = 0, film_bytes = 0, radiance_bytes = 0, path_bytes = 0, pool_bytes = 0;
+    cl::Buffer radiance, layers, film, counters, pool;
     cl::Buffer paths[2]; // suspended, resumed; they take turns
     std::vector<shared::uint> counted;
 

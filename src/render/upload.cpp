@@ -1,5 +1,6 @@
 #include "render/upload.h"
 #include "base/error.h"
+#include "device/buffer.h"
 #include "render/camera.h"
 #include "render/convert.h"
 #include <bit>
@@ -15,7 +16,7 @@ using namespace shared;
 class Uploader {
   public:
     Uploader(const device::Device &device, DeviceScene &out)
-        : context(device.context), limit(device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()),
+        : device(device), limit(device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()),
           name(device.info.name), out(out) {}
 
     template <typename T> void add(const std::string &what, const std::vector<T> &data) {
@@ -29,18 +30,14 @@ class Uploader {
                         fmt::format("the scene's {} take {} MB, this device allows {} MB in one buffer", what,
                                     bytes >> 20, limit >> 20));
         hash = XXH3_64bits_withSeed(data, bytes, hash);
-        if (bytes > 0) {
-            // COPY_HOST_PTR and not USE_HOST_PTR: sharing host memory is not reliable across implementations.
-            entry.buffer =
-                cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, bytes, const_cast<void *>(data));
-        }
+        entry.buffer = device::constant_buffer(device, data, bytes);
         out.buffers.push_back(std::move(entry));
     }
 
     std::uint64_t hash = 0;
 
   private:
-    cl::Context context;
+    const device::Device &device;
     std::uint64_t limit;
     std::string name;
     DeviceScene &out;
@@ -146,6 +143,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("light_table", lights.table);
     uploader.add("environment_table", lights.environment_table);
     uploader.add("environment", lights.environment);
+    uploader.add("clearance", geometry.clearance);
     out.hash = fmt::format("{:016x}", uploader.hash);
     return out;
 }

@@ -1,0 +1,39 @@
+// Direct light that is yet to be asked for: what a path's vertex gets from a light if nothing is in the way.
+#ifndef NACRE_PATH_SHADOW_H
+#define NACRE_PATH_SHADOW_H
+
+#include "geometry/surface.h"
+#include "light/light.h"
+
+typedef struct {
+    Ray ray;
+    float3 light; // to add to the path's radiance; 0: nothing to ask
+} Shadow;
+
+Shadow no_shadow(void) {
+    Shadow shadow;
+    shadow.light = (float3)(0.0f);
+    return shadow;
+}
+
+float largest3(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+
+bool shadow_asked(const Shadow *shadow) { return largest3(shadow->light) > 0.0f; }
+
+// `light` arrives at `position` along `sample` unless something is in the way.
+Shadow shadow_of(float3 position, float3 error, float3 geometric, const LightSample *sample, float3 light) {
+    Shadow shadow;
+    shadow.light = light;
+    shadow.ray.origin = offset_point(position, error, geometric, sample->direction);
+    shadow.ray.direction = sample->direction;
+    shadow.ray.t_min = 0.0f;
+    shadow.ray.t_max = MAXFLOAT;
+    if (sample->distance < MAXFLOAT) { // from where the ray starts, not from where the surface is
+        const float3 to = sample->target - shadow.ray.origin;
+        shadow.ray.t_max = length(to);
+        shadow.ray.direction = to * (1.0f / shadow.ray.t_max);
+    }
+    return shadow;
+}
+
+#endif

@@ -1,0 +1,58 @@
+// Where a launch's paths come from: the pixels of its batch, or paths that an earlier launch suspended. And where they end.
+#ifndef NACRE_PATH_SOURCE_H
+#define NACRE_PATH_SOURCE_H
+
+#include "path/path.h"
+
+typedef struct {
+    Batch batch;
+    global float4 *radiance; // one per slot of the batch
+    global float4 *layers;   // two per slot
+    global const Path *resumed;
+    global Path *suspended;
+    volatile global uint *counters;
+} Launch;
+
+uint launch_paths(const Launch *launch) {
+    return launch->batch.resumed > 0u ? launch->batch.resumed : launch->batch.pixel_count * launch->batch.sample_count;
+}
+
+// Path i of the launch: pixel i / sample_count, sample i % sample_count, or a suspended one. False: beyond the crop's edge.
+bool launch_path(const Scene *scene, const Launch *launch, uint i, Path *path, Counts *counts) {
+    if (launch->batch.resumed > 0u) {
+        *path = launch->resumed[i];
+        return true;
+    }
+    uint x, y;
+    if (!pixel_at(scene, launch->batch.first_pixel + i / launch->batch.sample_count, &x, &y)) return false;
+    *path = path_begin(scene, x, y, launch->batch.first_sample + i % launch->batch.sample_count, i);
+    counts->value[COUNTER_paths] += 1u;
+    if (HAS(SURFACE_AOV)) launch->layers[2u * i] = launch->layers[2u * i + 1u] = (float4)(0.0f);
+    return true;
+}
+
+// The radiance of a path that is done. A sample that is NaN or infinite becomes black; it is counted, and the first remembered.
+void launch_take(const Launch *launch, const Path *path, Counts *counts) {
+    const float4 radiance = path->radiance;
+    if (isfinite(radiance.x + radiance.y + radiance.z)) {
+        launch->radiance[path->slot] = radiance;
+        return;
+    }
+    launch->radiance[path->slot] = (float4)(0.0f, 0.0f, 0.0f, radiance.w);
+    counts->value[COUNTER_non_finite] += 1u;
+    volatile global uint *counters = launch->counters;
+    if (atomic_cmpxchg(counters + COUNTER_BAD_PIXEL, 0u, path->pixel + 1u) == 0u) {
+        counters[COUNTER_BAD_SAMPLE] = path->sample;
+        counters[COUNTER_BAD_STEP] = path->vertex << 24 | min(path->steps, 0xffffffu);
+    }
+}
+
+// Keeps a path for the next launch. False: there is no room.
+bool launch_suspend(const Launch *launch, const Path *path) {
+    const uint at = atomic_inc(launch->counters + COUNTER_SUSPENDED);
+    if (at >= launch->batch.capacity) return false;
+    launch->suspended[at] = *path;
+    return true;
+}
+
+#endif

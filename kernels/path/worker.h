@@ -1,0 +1,176 @@
+// Many paths per work-item, for devices with few and wide cores. A worker keeps POOL_PATHS of them under way: rays go through
+// the BVH in streams, surfaces are shaded one by one, and walks run LANES side by side, the next one in a lane as soon as the
+// last has left it. Nothing here changes what a path does, only when.
+#ifndef NACRE_PATH_WORKER_H
+#define NACRE_PATH_WORKER_H
+
+#include "path/source.h"
+
+// Paths that a worker takes from the launch at a time: neighbours, and few, so that all workers end together.
+#define WORKER_CHUNK 64u
+
+// With fewer lanes than this in use, and no walk waiting, a worker looks for more walks before it goes on.
+#define WORKER_FEW_LANES (3u * LANES / 4u)
+
+typedef struct {
+    global Path *pool;
+    ushort vacant[POOL_PATHS], rays[POOL_PATHS], walks[POOL_PATHS]; // places in the pool: free, with a ray to trace, about to walk
+    uint vacant_count, ray_count, walk_count;
+    uint next, end;            // paths of the launch that it took and has not begun
+    bool exhausted;            // the launch has no more
+    uint turns;                // of its lanes since then
+    WalkLanes lanes;
+    uint walking;              // lanes in use, as bits
+    RayStream stream;
+    RayStream shadows;         // rays to lights
+    float4 light[STREAM_RAYS]; // what they bring; w: the path's place in the pool
+    uint shadow_count;
+} Worker;
+
+// Traces the shadow rays that wait. Has to be done before their paths go on, so that a path's light is added in one order.
+void worker_light(const Scene *scene, Worker *worker, Counts *counts) {
+    if (worker->shadow_count == 0u) return;
+    counts->value[COUNTER_shadow_rays] += worker->shadow_count;
+    trace_stream(&worker->shadows, first_bits(worker->shadow_count), scene->nodes, scene->blocks, true);
+    for (uint i = 0; i < worker->shadow_count; i++)
+        if (worker->shadows.block[i] == BVH_NO_PRIMITIVE)
+            worker->pool[as_uint(worker->light[i].w)].radiance.xyz += worker->light[i].xyz;
+    worker->shadow_count = 0u;
+}
+
+void worker_ask_light(const Scene *scene, Worker *worker, uint at, const Shadow *shadow, Counts *counts) {
+    if (!shadow_asked(shadow)) return;
+    worker->light[worker->shadow_count] = (float4)(shadow->light, as_float(at));
+    stream_put(&worker->shadows, worker->shadow_count, shadow->ray, scene->frame->bvh_root);
+    worker->shadow_count++;
+    if (worker->shadow_count == STREAM_RAYS) worker_light(scene, worker, counts);
+}
+
+// Puts a path where its state says.
+void worker_file(Worker *worker, const Launch *launch, uint at, Counts *counts) {
+    const uint state = worker->pool[at].state;
+    if (state == PATH_RAY) {
+        worker->rays[worker->ray_count++] = (ushort)at;
+    } else if (state == PATH_WALK) {
+        worker->walks[worker->walk_count++] = (ushort)at;
+    } else {
+        const Path path = worker->pool[at];
+        launch_take(launch, &path, counts);
+        worker->vacant[worker->vacant_count++] = (ushort)at;
+    }
+}
+
+// Begins paths until the pool is full or the launch has no more.
+void worker_begin(const Scene *scene, Worker *worker, const Launch *launch, Counts *counts) {
+    const uint total = launch_paths(launch);
+    while (worker->vacant_count > 0u && !worker->exhausted) {
+        if (worker->next == worker->end) {
+            worker->next = atomic_add(launch->counters + COUNTER_NEXT, WORKER_CHUNK);
+            worker->end = min(worker->next + WORKER_CHUNK, total);
+            if (worker->next >= total) {
+                worker->exhausted = true;
+                return;
+            }
+        }
+        Path path;
+        if (!launch_path(scene, launch, worker->next++, &path, counts)) continue;
+        const uint at = worker->vacant[--worker->vacant_count];
+        worker->pool[at] = path;
+        worker_file(worker, launch, at, counts);
+    }
+}
+
+// Traces every ray that waits, and shades what it meets.
+void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Counts *counts) {
+    const uint count = worker->ray_count;
+    worker->ray_count = 0u; // paths that go on with a ray are put back behind those that were read
+    for (uint first = 0; first < count; first += STREAM_RAYS) {
+        const uint part = min((uint)STREAM_RAYS, count - first);
+        for (uint i = 0; i < part; i++) {
+            global const Path *path = worker->pool + worker->rays[first + i];
+            stream_put(&worker->stream, i, path_ray(path->position.xyz, path->direction.xyz), scene->frame->bvh_root);
+        }
+        trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks, false);
+        for (uint i = 0; i < part; i++) {
+            const uint at = worker->rays[first + i];
+            Path path = worker->pool[at];
+            const Shadow shadow = path_meet(scene, &path, stream_hit(&worker->stream, scene->blocks, i), counts,
+                                            launch->layers + 2u * path.slot);
+            worker->pool[at] = path;
+            worker_ask_light(scene, worker, at, &shadow, counts);
+        }
+        worker_light(scene, worker, counts);
+        for (uint i = 0; i < part; i++) worker_file(worker, launch, worker->rays[first + i], counts);
+    }
+}
+
+// Puts walks that wait into idle lanes.
+void worker_fill_lanes(const Scene *scene, Worker *worker) {
+    for (uint idle = ~worker->walking & LANES_ALL; idle != 0u && worker->walk_count > 0u; idle &= idle - 1u) {
+        const uint l = lowest_bit(idle), at = worker->walks[--worker->walk_count];
+        const Path path = worker->pool[at];
+        lane_load(scene, &worker->lanes, l, &path, at);
+        worker->walking |= 1u << l;
+    }
+}
+
+// Walks until no walk is left, or few and there are others to be found.
+void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Counts *counts) {
+    for (;;) {
+        worker_fill_lanes(scene, worker);
+        const bool more = worker->ray_count > 0u || !worker->exhausted;
+        if (worker->walking == 0u || (more && popcount(worker->walking) < WORKER_FEW_LANES)) break;
+        if (worker->exhausted && worker->turns++ >= launch->batch.budget) break;
+        const TurnEnds ends = walk_turn(scene, &worker->lanes, &worker->stream, worker->walking, counts);
+        const uint ended = ends.left | ends.slipped | ends.ended | ends.capped;
+        worker->walking &= ~ended;
+        FOR_LANES(l, ended) {
+            const uint at = LANE_UINT(worker->lanes.path, l);
+            Path path = worker->pool[at];
+            const Shadow shadow = lane_end(scene, &worker->lanes, &worker->stream, l, ends, &path, counts);
+            worker->pool[at] = path;
+            worker_ask_light(scene, worker, at, &shadow, counts);
+            worker_file(worker, launch, at, counts); // a walk that ends for good asks for no light
+        }
+    }
+    worker_light(scene, worker, counts);
+}
+
+// Leaves what is under way to the next launch, which has room for every path of every pool.
+void worker_suspend(Worker *worker, const Launch *launch) {
+    FOR_LANES(l, worker->walking) {
+        const uint at = LANE_UINT(worker->lanes.path, l);
+        Path path = worker->pool[at];
+        lane_store(&worker->lanes, l, &path);
+        launch_suspend(launch, &path);
+    }
+    for (uint i = 0; i < worker->walk_count; i++) {
+        const Path path = worker->pool[worker->walks[i]];
+        launch_suspend(launch, &path);
+    }
+    for (uint i = 0; i < worker->ray_count; i++) {
+        const Path path = worker->pool[worker->rays[i]];
+        launch_suspend(launch, &path);
+    }
+}
+
+// Takes paths from the launch until there are none, and brings them to their end or, past the budget, to the next launch.
+void trace_many(const Scene *scene, const Launch *launch, global Path *pool, Counts *counts) {
+    Worker worker;
+    worker.pool = pool;
+    worker.ray_count = worker.walk_count = worker.shadow_count = 0u;
+    worker.next = worker.end = worker.turns = worker.walking = 0u;
+    worker.exhausted = false;
+    worker.vacant_count = POOL_PATHS;
+    for (uint i = 0; i < POOL_PATHS; i++) worker.vacant[i] = (ushort)(POOL_PATHS - 1u - i);
+    for (;;) {
+        worker_begin(scene, &worker, launch, counts);
+        if (worker.ray_count + worker.walk_count + worker.walking == 0u) return;
+        worker_trace(scene, &worker, launch, counts);
+        worker_walk(scene, &worker, launch, counts);
+        if (worker.turns > launch->batch.budget) break;
+    }
+    worker_suspend(&worker, launch);
+}
+
+#endif
