@@ -2,7 +2,7 @@
 #include "bsdf/specular.h"
 #include "bsdf/lambert.h"
 #include "flight/flight.h"
-#include "lanes/lanes.h"
+#include "lanes/math.h"
 #include "light/environment.h"
 #include "phase/henyey_greenstein.h"
 #include "random/sampler.h"
@@ -18,10 +18,6 @@ typedef struct {
     float a, b, c;                      // free parameters of the other probes
     uint seed, first, reciprocal, entry, count, cap; // cap: scatters after which a walk ends, 0: never
 } Probe;
-
-real lane_unit(natural bits) {
-    return (to_real(bits >> 9u) + 0.5f) * 0x1p-23f;
-}
 
 // Free flights after `first` scatters. Depths are drawn, or with c > 0 spread evenly in their logarithm from exp(a) to exp(b).
 // out: depth, transmittance, pdf, and the number that the depth was drawn with.
