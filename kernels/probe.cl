@@ -2,7 +2,7 @@
 #include "bsdf/specular.h"
 #include "bsdf/lambert.h"
 #include "flight/flight.h"
-#include "lanes/lanes.h"
+#include "lanes/math.h"
 #include "light/environment.h"
 #include "phase/henyey_greenstein.h"
 #include "random/sampler.h"
@@ -18,10 +18,6 @@ typedef struct {
     float a, b, c;                      // free parameters of the other probes
     uint seed, first, reciprocal, entry, count, cap; // cap: scatters after which a walk ends, 0: never
 } Probe;
-
-real lane_unit(natural bits) {
-    return (to_real(bits >> 9u) + 0.5f) * 0x1p-23f;
-}
 
 // Free flights after `first` scatters. Depths are drawn, or with c > 0 spread evenly in their logarithm from exp(a) to exp(b).
 // out: depth, transmittance, pdf, and the number that the depth was drawn with.
@@ -200,11 +196,11 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_infini
     walk.anisotropy = probe.anisotropy;
     walk.bleed = probe.bleed;
     walk.reciprocal = (mask)probe.reciprocal;
-    walk_begin(scene, &walk, 0.5f);
+    walk_begin(&walk, walk_start(scene, 0.5f));
     while (walk.steps < probe.cap) {
         const uint4 words = random_hash((uint4)(probe.seed, i, walk.steps, 10u));
-        walk_scatter(scene, &walk, walk_distance(scene, &walk, random_unit(words.x)), random_unit(words.y),
-                     random_unit(words.z));
+        walk_arrive(scene, &walk, walk_distance(scene, &walk, random_unit(words.x)), 0, random_unit(words.y),
+                    random_unit(words.z));
     }
     out[i] = (float4)(walk.position.x, walk.position.y, walk.position.z, 0.0f);
 }
@@ -236,7 +232,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
         walk.anisotropy = probe.anisotropy;
         walk.bleed = probe.bleed;
         walk.reciprocal = (mask)probe.reciprocal;
-        walk_begin(scene, &walk, first.x);
+        walk_begin(&walk, walk_start(scene, first.x));
         float length = 0.0f;
         for (;;) {
             const uint4 words = draw_bits(sampler, DRAW_WALK, walk.steps);
@@ -247,7 +243,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
             const float exit = body_exit(probe.thickness, (float3)(walk.position.x, walk.position.y, walk.position.z),
                                          (float3)(walk.direction.x, walk.direction.y, walk.direction.z), &back);
             if (distance >= exit) {
-                walk_leave(scene, &walk, exit);
+                walk_arrive(scene, &walk, exit, 1, random_unit(words.y), random_unit(words.z));
                 const float4 weight = (float4)(walk.weight.x, walk.weight.y, walk.weight.z, 0.0f);
                 if (back) {
                     far += weight;
@@ -263,8 +259,8 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
                 break;
             }
             length += distance;
-            walk_scatter(scene, &walk, distance, random_unit(words.y), random_unit(words.z));
-            if (!bits(walk_roulette(&walk, random_unit(words.w)))) {
+            walk_arrive(scene, &walk, distance, 0, random_unit(words.y), random_unit(words.z));
+            if (!bits(walk_roulette(&walk, random_unit(words.w), 0))) {
                 if (!(walk.weight.x >= 0.0f)) near.x = NAN; // shows in the test
                 break;
             }

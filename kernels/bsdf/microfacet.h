@@ -3,7 +3,7 @@
 #ifndef NACRE_BSDF_MICROFACET_H
 #define NACRE_BSDF_MICROFACET_H
 
-#include "lanes/lanes.h"
+#include "lanes/math.h"
 #include "shared/view.h"
 
 // Below this the lobe is narrower than float can tell; it then looks like a mirror all the same.

@@ -2,6 +2,7 @@
 #ifndef NACRE_CAMERA_CAMERA_H
 #define NACRE_CAMERA_CAMERA_H
 
+#include "lanes/math.h"
 #include "random/sampler.h"
 #include "sampling/hemisphere.h"
 #include "shared/view.h"

@@ -8,7 +8,7 @@
 #ifndef NACRE_FLIGHT_FLIGHT_H
 #define NACRE_FLIGHT_FLIGHT_H
 
-#include "lanes/lanes.h"
+#include "lanes/math.h"
 #include "shared/view.h"
 
 typedef struct {
@@ -25,32 +25,33 @@ Flight flight_of(real bleed, mask reciprocal, mask from_scatter) {
 
 real flight_depth(const Scene *scene, Flight flight, real tau) {
     if (!HAS(BLEED)) return tau;
-    return pick(flight.bleed > 0.0f, log1p(flight.bleed * tau) / flight.bleed, tau);
+    return pick(flight.bleed > 0.0f, lane_log1p(flight.bleed * tau) / flight.bleed, tau);
 }
 
 // Optical depth of a flight from a number xi in (0, 1). Infinite where float cannot hold it (large bleed).
 real flight_sample(const Scene *scene, Flight flight, real xi) {
-    if (!HAS(BLEED)) return -log(xi);
-    const real depth = -log(xi) / flight.rate;
-    return pick(flight.bleed > 0.0f, expm1(flight.bleed * depth) / flight.bleed, depth);
+    if (!HAS(BLEED)) return -lane_log(xi);
+    const real depth = -lane_log(xi) / flight.rate;
+    return pick(flight.bleed > 0.0f, lane_expm1(flight.bleed * depth) / flight.bleed, depth);
 }
 
 real flight_transmittance(const Scene *scene, Flight flight, real tau) {
-    if (!HAS(BLEED)) return exp(-tau);
-    return exp(-flight.rate * flight_depth(scene, flight, tau));
-}
-
-// Density of how a flight ended, per unit of tau: the transmittance of one that `left` the medium, else the pdf of its scatter.
-real flight_density(const Scene *scene, Flight flight, real tau, mask left) {
-    if (!HAS(BLEED)) return exp(-tau);
-    const real depth = flight_depth(scene, flight, tau);
-    return pick(left, (real)(1.0f), flight.rate) * exp(-(flight.rate + pick(left, (real)(0.0f), flight.bleed)) * depth);
+    if (!HAS(BLEED)) return lane_exp(-tau);
+    return lane_exp(-flight.rate * flight_depth(scene, flight, tau));
 }
 
 // Per unit of tau: a density per length is sigma times this.
 real flight_pdf(const Scene *scene, Flight flight, real tau) {
-    if (!HAS(BLEED)) return exp(-tau);
-    return flight.rate * exp(-(flight.rate + flight.bleed) * flight_depth(scene, flight, tau));
+    if (!HAS(BLEED)) return lane_exp(-tau);
+    return flight.rate * lane_exp(-(flight.rate + flight.bleed) * flight_depth(scene, flight, tau));
+}
+
+// Density of what ended the flight, per unit of tau: the transmittance in lanes that reached the surface (`left`), the pdf in
+// those that scattered. Both at the price of one.
+real flight_density(const Scene *scene, Flight flight, real tau, mask left) {
+    if (!HAS(BLEED)) return lane_exp(-tau);
+    const real decay = pick(left, flight.rate, flight.rate + flight.bleed);
+    return pick(left, (real)(1.0f), flight.rate) * lane_exp(-decay * flight_depth(scene, flight, tau));
 }
 
 #endif

@@ -21,6 +21,7 @@ typedef int mask;
 #define to_whole(x) convert_int_rtz(x)
 #define to_real(x) convert_float(x)
 #define as_natural(x) as_uint(x)
+#define as_whole(x) as_int(x)
 #define as_real(x) as_float(x)
 #define MASK_TRUE 1
 uint bits(mask m) { return m != 0 ? 1u : 0u; }
@@ -34,6 +35,7 @@ typedef LANES_JOIN(int, LANES) mask;
 #define to_whole(x) LANES_JOIN(LANES_JOIN(convert_int, LANES), _rtz)(x)
 #define to_real(x) LANES_JOIN(convert_float, LANES)(x)
 #define as_natural(x) LANES_JOIN(as_uint, LANES)(x)
+#define as_whole(x) LANES_JOIN(as_int, LANES)(x)
 #define as_real(x) LANES_JOIN(as_float, LANES)(x)
 #define MASK_TRUE -1
 uint bits(mask m) { return LANES_JOIN(bits, LANES)(m); }
@@ -75,31 +77,5 @@ real3 pick3(mask m, real3 a, real3 b) {
     r.z = pick(m, a.z, b.z);
     return r;
 }
-
-// sin and cos of 2 pi u for u in [0, 1]. Argument reduction is exact in turns; polynomials on [-pi/4, pi/4] from Moshier's
-// Cephes (sinf, cosf): within 2 ulp. In place of sincos(), which takes a pointer and is scalar in PoCL. Once over scalars,
-// for surfaces, and once over lanes where those are vectors.
-#define DEFINE_SINCOS(name, R, W, TO_WHOLE, PICK)                                                                      \
-    void name(R u, R *s, R *c) {                                                                                       \
-        const R quarter = rint(u * 4.0f);                                                                              \
-        const R r = (u - quarter * 0.25f) * 6.28318530717959f;                                                         \
-        const W k = TO_WHOLE(quarter);                                                                                 \
-        const R r2 = r * r;                                                                                            \
-        const R p = fma(r2, fma(r2, (R)(-1.9515295891e-4f), (R)(8.3321608736e-3f)), (R)(-1.6666654611e-1f));           \
-        const R q = fma(r2, fma(r2, (R)(2.443315711809948e-5f), (R)(-1.388731625493765e-3f)),                          \
-                        (R)(4.166664568298827e-2f));                                                                   \
-        const R sine = fma(r * r2, p, r), cosine = fma(r2 * r2, q, fma(r2, (R)(-0.5f), (R)(1.0f)));                    \
-        const R a = PICK((k & 1) != 0, cosine, sine), b = PICK((k & 1) != 0, sine, cosine);                            \
-        *s = PICK((k & 2) != 0, -a, a);                                                                                \
-        *c = PICK(((k + 1) & 2) != 0, -b, b);                                                                          \
-    }
-
-#define SCALAR_PICK(m, a, b) ((m) ? (a) : (b))
-DEFINE_SINCOS(sincos_scalar, float, int, convert_int_rtz, SCALAR_PICK)
-#if LANES == 1
-#define sincos_turns sincos_scalar
-#else
-DEFINE_SINCOS(sincos_turns, real, whole, to_whole, pick)
-#endif
 
 #endif

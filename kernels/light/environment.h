@@ -2,7 +2,7 @@
 #ifndef NACRE_LIGHT_ENVIRONMENT_H
 #define NACRE_LIGHT_ENVIRONMENT_H
 
-#include "lanes/lanes.h"
+#include "lanes/math.h"
 #include "random/hash.h"
 #include "shared/view.h"
 

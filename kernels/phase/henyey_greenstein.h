@@ -5,6 +5,7 @@
 #ifndef NACRE_PHASE_HENYEY_GREENSTEIN_H
 #define NACRE_PHASE_HENYEY_GREENSTEIN_H
 
+#include "lanes/math.h"
 #include "sampling/frame.h"
 #include "shared/view.h"
 

@@ -19,11 +19,14 @@ uint4 random_hash(uint4 v) {
     return v;
 }
 
+// A float in (0, 1), never 0 or 1: (k + 1/2) 2^-23, exact in float.
+float random_unit(uint bits) { return ((float)(bits >> 9) + 0.5f) * 0x1p-23f; }
+
+// The same over lanes: each gets the words that random_hash gives for its own.
 typedef struct {
     natural x, y, z, w;
 } Natural4;
 
-// The same for each lane.
 Natural4 lane_hash(natural x, natural y, natural z, natural w) {
     Natural4 v;
     v.x = x * 1664525u + 1013904223u;
@@ -45,9 +48,6 @@ Natural4 lane_hash(natural x, natural y, natural z, natural w) {
     return v;
 }
 
-real lane_unit(natural bits) { return (to_real(bits >> 9u) + 0.5f) * 0x1p-23f; }
-
-// A float in (0, 1), never 0 or 1: (k + 1/2) 2^-23, exact in float.
-float random_unit(uint bits) { return ((float)(bits >> 9) + 0.5f) * 0x1p-23f; }
+real lane_unit(natural bits) { return (to_real(as_whole(bits >> 9u)) + 0.5f) * 0x1p-23f; }
 
 #endif

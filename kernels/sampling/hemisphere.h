@@ -2,6 +2,7 @@
 #ifndef NACRE_SAMPLING_HEMISPHERE_H
 #define NACRE_SAMPLING_HEMISPHERE_H
 
+#include "lanes/math.h"
 #include "sampling/frame.h"
 
 // Density cos(theta) / pi. The cosine is sqrt(xi), never 0; the sine from 1 - xi has no cancellation.

@@ -32,6 +32,14 @@ typedef struct {
     natural steps;   // scatters so far
 } Walk;
 
+real3 real3_of(float3 v) {
+    real3 r;
+    r.x = (real)(v.x);
+    r.y = (real)(v.y);
+    r.z = (real)(v.z);
+    return r;
+}
+
 real3 triple(real x) {
     real3 r;
     r.x = x;
@@ -73,6 +81,13 @@ WalkStart walk_start(const Scene *scene, float xi) {
         start.weight = 3.0f * start.share;
     }
     return start;
+}
+
+void walk_begin(Walk *walk, WalkStart start) {
+    walk->steps = (natural)(0);
+    walk->channel = (whole)((int)start.channel);
+    walk->weight = real3_of(start.weight);
+    walk->share = real3_of(start.share);
 }
 
 // The modes that draw a channel for every flight do it in walk_choose, before the flight.

@@ -1,0 +1,129 @@
+// The elementary functions of lanes/math.h: their errors over all floats, their edges, and the same bits for any LANES.
+#include "device/lane_probe.h"
+#include <bit>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+
+namespace nacre::test {
+namespace {
+
+using Bits = std::vector<std::uint32_t>;
+
+constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+constexpr std::uint32_t chunk = 1 << 20, minus = 0x80000000u, infinite = 0x7f800000u;
+
+struct Case {
+    Function function;
+    const char *name;
+    double (*exact)(double);
+    double ulp;
+    std::uint32_t first, last; // bits of the domain's ends
+};
+
+double log_of(double x) { return std::log(x); }
+double exp_of(double x) { return std::exp(x) < 0x1p-126 ? 0 : std::exp(x); } // no denormal results
+double log1p_of(double x) { return std::log1p(x); }
+double expm1_of(double x) { return std::expm1(x); }
+
+constexpr Case cases[] = {
+    {Function::log, "log", log_of, 1.1, 0x00800000u, infinite},
+    {Function::exp, "exp, x >= 0", exp_of, 1.1, 0, infinite},
+    {Function::exp, "exp, x <= 0", exp_of, 1.1, minus, minus | infinite},
+    {Function::log1p, "log1p, x >= 0", log1p_of, 1.9, 0, infinite},
+    {Function::log1p, "log1p, x <= 0", log1p_of, 1.9, minus, 0xbf7fffffu},
+    {Function::expm1, "expm1, x >= 0", expm1_of, 1.6, 0, infinite},
+    {Function::expm1, "expm1, x <= 0", expm1_of, 1.6, minus, minus | infinite},
+};
+
+/// Distance in units of the last place of the exact value. Devices may take denormal numbers for 0.
+double ulps(float found, double exact) {
+    if (std::isinf(float(exact))) return found == float(exact) ? 0 : inf;
+    if (std::abs(exact) < 0x1p-126) return std::abs(found) <= 0x1p-126 ? 0 : inf;
+    if (!std::isfinite(found)) return inf;
+    return std::abs(found - exact) / std::ldexp(1.0, std::ilogb(exact) - 23);
+}
+
+/// Bits first, first + stride, ..., last, and the first and last 2^12 one by one.
+void sweep(const Case &c, std::uint32_t stride) {
+    double worst = 0;
+    float worst_at = 0;
+    Bits in;
+    const auto flush = [&] {
+        in.resize((in.size() + 4095) / 4096 * 4096, c.last);
+        const Bits scalar = run_function(1, c.function, in);
+        for (std::size_t i = 0; i < in.size(); ++i) {
+            const float x = std::bit_cast<float>(in[i]);
+            const double error = ulps(std::bit_cast<float>(scalar[i]), c.exact(x));
+            if (error > worst) worst_at = x;
+            worst = std::max(worst, error);
+        }
+        for (const int lanes : lane_counts)
+            EXPECT_EQ(run_function(lanes, c.function, in), scalar) << c.name << ", " << lanes << " lanes";
+        in.clear();
+    };
+    for (std::uint32_t edge = 0; edge < 4096; ++edge) in.insert(in.end(), {c.first + edge, c.last - edge});
+    for (std::uint64_t bits = c.first; bits <= c.last; bits += stride) {
+        in.push_back(std::uint32_t(bits));
+        if (in.size() == chunk) flush();
+    }
+    flush();
+    EXPECT_LE(worst, c.ulp) << c.name << " at " << worst_at;
+}
+
+TEST(LaneMath, ErrorsOverAllFloats) {
+    for (const Case &c : cases) sweep(c, 257);
+}
+
+TEST(LongLaneMath, ErrorsOverAllFloats) {
+    for (const Case &c : cases) sweep(c, 1);
+}
+
+TEST(LaneMath, Edges) {
+    struct Edge {
+        Function function;
+        float x, result;
+    };
+    const Edge edges[] = {
+        {Function::log, 0, -inf},         {Function::log, -0.0f, -inf},      {Function::log, 1, 0},
+        {Function::log, inf, inf},        {Function::log, -1e-38f, nan},     {Function::log, -1, nan},
+        {Function::log, -inf, nan},       {Function::log, nan, nan},         {Function::exp, 0, 1},
+        {Function::exp, -0.0f, 1},        {Function::exp, inf, inf},         {Function::exp, -inf, 0},
+        {Function::exp, nan, nan},        {Function::exp, 88.72284f, inf},   {Function::exp, -87.33655f, 0},
+        {Function::exp, 1e30f, inf},      {Function::exp, -1e30f, 0},        {Function::log1p, 0, 0},
+        {Function::log1p, inf, inf},      {Function::log1p, nan, nan},       {Function::log1p, 1e-30f, 1e-30f},
+        {Function::expm1, 0, 0},          {Function::expm1, inf, inf},       {Function::expm1, -inf, -1},
+        {Function::expm1, nan, nan},      {Function::expm1, 88.72284f, inf}, {Function::expm1, -1e30f, -1},
+        {Function::expm1, 1e-30f, 1e-30f}};
+    for (const Edge &edge : edges) {
+        const Bits in(4096, std::bit_cast<std::uint32_t>(edge.x));
+        for (const int lanes : lane_counts) {
+            const float found = std::bit_cast<float>(run_function(lanes, edge.function, in)[4095]);
+            const bool same = std::isnan(edge.result) ? std::isnan(found) : found == edge.result;
+            EXPECT_TRUE(same) << int(edge.function) << " of " << edge.x << " is " << found << " with " << lanes;
+        }
+    }
+    const Bits denormal(4096, 0x00400000u);
+    const float found = std::bit_cast<float>(run_function(1, Function::log, denormal)[0]);
+    EXPECT_TRUE(found == -inf || (found >= std::log(0x1p-127f) && found <= std::log(0x1p-126f))) << found;
+}
+
+TEST(LaneMath, SineAndCosineOfTurns) {
+    Bits in;
+    for (std::uint32_t i = 0; i < 1u << 20; ++i) in.push_back(std::bit_cast<std::uint32_t>(float(i + 1) * 0x1p-20f));
+    for (const Function function : {Function::sine, Function::cosine}) {
+        const Bits scalar = run_function(1, function, in);
+        double worst = 0;
+        for (std::size_t i = 0; i < in.size(); ++i) {
+            const double angle = 2 * std::numbers::pi * std::bit_cast<float>(in[i]);
+            const double exact = function == Function::sine ? std::sin(angle) : std::cos(angle);
+            worst = std::max(worst, std::abs(std::bit_cast<float>(scalar[i]) - exact));
+        }
+        EXPECT_LE(worst, 2e-7);
+        for (const int lanes : lane_counts) EXPECT_EQ(run_function(lanes, function, in), scalar) << lanes << " lanes";
+    }
+}
+
+} // namespace
+} // namespace nacre::test
