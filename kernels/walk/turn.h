@@ -9,6 +9,11 @@
 #include "walk/clearance.h"
 #include "walk/walk.h"
 
+// How often the part of a flight that must be traced is narrowed.
+#ifndef CLEARANCE_ROUNDS
+#define CLEARANCE_ROUNDS 2u
+#endif
+
 typedef struct {
     Walk walk;
     ClearanceLanes field;         // of each walk's object
@@ -28,9 +33,27 @@ typedef struct {
     uint capped;  // by max_depth
 } TurnEnds;
 
+real clearance_along(const Scene *scene, const WalkLanes *lanes, real t) {
+    const Walk *walk = &lanes->walk;
+    return clearance_at(scene->clearance, &lanes->field, fma(walk->direction.x, t, walk->position.x),
+                        fma(walk->direction.y, t, walk->position.y), fma(walk->direction.z, t, walk->position.z));
+}
+
+// Narrows [*near, *far], the part of a flight that is not known to be clear, from both ends: what a ball about an end reaches
+// is clear, and so is what one about the new end reaches. Returns the lanes of `flying` that have a part left.
+uint turn_narrow(const Scene *scene, const WalkLanes *lanes, uint flying, real *near, real *far) {
+    for (uint k = 0u; k < CLEARANCE_ROUNDS; k++) {
+        flying &= bits(*near < *far);
+        if (flying == 0u) return 0u;
+        *near += clearance_along(scene, lanes, *near);
+        *far -= clearance_along(scene, lanes, *far);
+    }
+    return flying & bits(*near < *far);
+}
+
 // The rays of a turn: from a little before the start of a flight to a little beyond its end, so that neither a scatter nor the
-// next flight is outside by rounding, and of that only what is not known to be clear.
-void turn_rays(const Scene *scene, const WalkLanes *lanes, real length, real clear_end, real rounding, RayStream *stream) {
+// next flight is outside by rounding; of that what lies between `near` and `far`.
+void turn_rays(const WalkLanes *lanes, real near, real far, real rounding, RayStream *stream) {
     const Walk *walk = &lanes->walk;
     STREAM_ROW(stream->origin_x) = walk->position.x - rounding * walk->direction.x;
     STREAM_ROW(stream->origin_y) = walk->position.y - rounding * walk->direction.y;
@@ -38,8 +61,8 @@ void turn_rays(const Scene *scene, const WalkLanes *lanes, real length, real cle
     STREAM_ROW(stream->direction_x) = walk->direction.x;
     STREAM_ROW(stream->direction_y) = walk->direction.y;
     STREAM_ROW(stream->direction_z) = walk->direction.z;
-    STREAM_ROW(stream->t_min) = HAS(CLEARANCE) ? lanes->clear : (real)(0.0f);
-    STREAM_ROW(stream->t) = HAS(CLEARANCE) ? length + 2.0f * rounding - clear_end : length + 2.0f * rounding;
+    STREAM_ROW(stream->t_min) = near;
+    STREAM_ROW(stream->t) = far + 2.0f * rounding;
     STREAM_ROW_UINT(stream->root) = lanes->root;
 }
 
@@ -87,18 +110,18 @@ TurnEnds walk_turn(const Scene *scene, WalkLanes *lanes, RayStream *stream, uint
         POSITION_ROUNDING * max(fabs(walk->position.x), max(fabs(walk->position.y), fabs(walk->position.z)));
 
     uint flying = active;
-    real clear_end = (real)(0.0f);
+    real near = (real)(0.0f), far = length, clear_end = near;
     if (HAS(CLEARANCE)) {
-        clear_end = clearance_at(scene->clearance, &lanes->field, fma(walk->direction.x, length, walk->position.x),
-                                 fma(walk->direction.y, length, walk->position.y),
-                                 fma(walk->direction.z, length, walk->position.z));
-        flying &= bits(length > lanes->clear + clear_end);
+        clear_end = clearance_along(scene, lanes, length);
+        near = lanes->clear;
+        far = length - clear_end;
+        flying = turn_narrow(scene, lanes, flying, &near, &far);
     }
     real distance = length;
     TurnEnds ends;
     ends.left = 0u;
     if (flying != 0u) {
-        turn_rays(scene, lanes, length, clear_end, rounding, stream);
+        turn_rays(lanes, near, far, rounding, stream);
         ends.left = turn_trace(scene, lanes, rounding, stream, flying, &distance, counts);
     }
     const real from_centre2 = fma(walk->position.x, walk->position.x,

@@ -32,9 +32,7 @@ void read_settings(Fields &root, Reading &reading) {
         render.read_choice("channel_sampling", channel_samplings, settings.channel_sampling);
         Guiding guiding = no_guiding;
         render.read_choice("guiding", guidings, guiding);
-        bool clearance = false;
-        render.read("clearance", clearance);
-        if (clearance) render.fail("clearance", "true is not built yet, use false");
+        render.read("clearance", settings.clearance);
         render.finish();
     }
     if (const Json *tree = root.find("device")) {

@@ -62,8 +62,8 @@ struct Session::Impl {
         : device(with_lanes(std::move(opened), source.lanes)), layers(options.layers), crop(crop_that_fits(options, source, device)),
           planes(layers.surface() ? FILM_PLANES : FILM_ALBEDO), film(crop, planes),
           full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
-        const std::uint32_t features = scene::features(source, layers.surface());
-        scene = upload(device, source, features, crop);
+        scene = upload(device, source, scene::features(source, layers.surface()), crop);
+        const std::uint32_t features = scene.frame.features; // with those that only the geometry shows
         device::Variant variant;
         variant.features = options.generic ? std::uint32_t(FEATURE_ALL) : features;
         variant.generic = options.generic;

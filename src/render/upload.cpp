@@ -111,7 +111,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.crop_width = crop.width();
     frame.crop_height = crop.height();
     frame.seed = scene.render.seed;
-    frame.features = features;
+    frame.features = features | (geometry.clearance.empty() ? 0u : std::uint32_t(FEATURE_CLEARANCE));
     frame.light_count = std::uint32_t(lights.table.size());
     frame.environment_count = lights.environment_count;
     frame.rect_first = lights.environment_count;

@@ -81,7 +81,8 @@ struct RenderSettings {
     std::uint32_t seed = 0;
     std::uint32_t max_depth = 8; // surface hits, 0: no limit but roulette
     shared::ChannelSampling channel_sampling = shared::CHANNEL_HERO;
-    double exposure = 0; // stops, PNG only
+    bool clearance = true; // build clearance fields where they pay
+    double exposure = 0;   // stops, PNG only
 };
 
 struct Scene {
