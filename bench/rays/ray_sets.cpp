@@ -1,26 +1,9 @@
 #include "rays/ray_sets.h"
+#include "entries.h"
 #include <cmath>
-#include <numbers>
-#include <random>
 
 namespace nacre::bench {
 namespace {
-
-using Random = std::mt19937;
-
-float uniform(Random &random) { return float(random() >> 8) * 0x1p-24f; }
-
-Vec3f sphere_direction(Random &random) {
-    const float z = 1 - 2 * uniform(random), phi = 2 * std::numbers::pi_v<float> * uniform(random);
-    const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-    return {r * std::cos(phi), r * std::sin(phi), z};
-}
-
-/// Cosine-weighted around the unit vector n.
-Vec3f cosine_direction(Random &random, const Vec3f &n) {
-    const Vec3f d = n + sphere_direction(random);
-    return d.squaredNorm() > 1e-8f ? d.normalized() : n;
-}
 
 class Generator {
   public:
@@ -32,15 +15,12 @@ class Generator {
         size = box.sizes().maxCoeff();
     }
 
-    /// Walks enter in clusters of 400 over a few hundred neighbouring triangles, as the pixels of a tile do.
     std::vector<ProbeRay> walk(float mean_free_path, std::size_t count) {
         std::vector<ProbeRay> rays;
-        std::size_t cluster = 0;
-        for (std::size_t walk = 0; rays.size() < count; walk++) {
-            if (walk % 400 == 0) cluster = random() % triangles.size();
-            const std::size_t triangle = (cluster + random() % 256) % triangles.size();
-            const Vec3f n = normal(triangle);
-            Vec3f p = point(triangle) - n * (2e-5f * size), d = cosine_direction(random, -n);
+        Entries entries(triangles);
+        while (rays.size() < count) {
+            const Entries::Entry entry = entries.next(random);
+            Vec3f p = entry.position - entry.normal * (2e-5f * size), d = entry.direction;
             for (int step = 0; step < 256 && rays.size() < count; step++) {
                 const float length = -std::log(1 - uniform(random)) * mean_free_path * size;
                 rays.push_back({p, length, d, 0});
@@ -65,22 +45,13 @@ class Generator {
                 const ProbeHit hit = closest(primary.back());
                 if (!hit.hit()) continue;
                 const Vec3f d = primary.back().direction;
-                Vec3f n = normal(hit.primitive);
+                Vec3f n = triangle_normal(triangles[hit.primitive]);
                 if (n.dot(d) > 0) n = -n;
                 diffuse.push_back({eye + d * hit.t + n * (1e-5f * size), 1e30f, cosine_direction(random, n), 0});
             }
     }
 
   private:
-    const Vec3f &vertex(std::size_t triangle, int k) const { return triangles[triangle].v[k]; }
-    Vec3f normal(std::size_t triangle) const {
-        const Vec3f a = vertex(triangle, 0);
-        return (vertex(triangle, 1) - a).cross(vertex(triangle, 2) - a).normalized();
-    }
-    Vec3f point(std::size_t triangle) {
-        const float s = std::sqrt(uniform(random)), b = s * uniform(random);
-        return vertex(triangle, 0) * (1 - s) + vertex(triangle, 1) * (s - b) + vertex(triangle, 2) * b;
-    }
     ProbeHit closest(const ProbeRay &ray) const {
         ProbeHit hit;
         scene.closest({&ray, 1}, {&hit, 1});

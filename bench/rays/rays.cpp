@@ -2,15 +2,13 @@
 // same single thread, in turns. Time is CPU time of the process: other programs on the machine do not count.
 #include "accel/probe.h"
 #include "base/error.h"
+#include "measure.h"
 #include "meshes.h"
 #include "rays/ray_sets.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <fmt/format.h>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 using namespace nacre;
 using namespace nacre::bench;
@@ -31,23 +29,6 @@ struct Result {
     double nacre, embree;       // million rays per second
     double hits, different;     // shares of the rays
 };
-
-double cpu_seconds() {
-    timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-template <typename Work> double seconds(const Work &work) {
-    const double start = cpu_seconds();
-    work();
-    return cpu_seconds() - start;
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 /// Grazing rays and rays that end at a surface may differ; a hit elsewhere may not.
 double share_of_different(std::span<const ProbeHit> ours, std::span<const ProbeHit> theirs) {
@@ -70,10 +51,10 @@ Result measure(const std::string &name, RayProbe &probe, std::uint32_t root, con
 
     std::vector<double> ratio, robust_ratio, ours, theirs;
     for (int pair = 0; pair < pairs; pair++) {
-        theirs.push_back(seconds([&] { fast.closest(rays, expected); }));
-        ours.push_back(seconds([&] { probe.run_closest(); }));
+        theirs.push_back(seconds([&] { fast.closest(rays, expected); }).cpu);
+        ours.push_back(seconds([&] { probe.run_closest(); }).cpu);
         ratio.push_back(theirs.back() / ours.back());
-        robust_ratio.push_back(seconds([&] { robust.closest(rays, expected); }) / ours.back());
+        robust_ratio.push_back(seconds([&] { robust.closest(rays, expected); }).cpu / ours.back());
     }
     result.ratio = median(ratio);
     result.robust_ratio = median(robust_ratio);
@@ -103,7 +84,7 @@ void measure_mesh(const std::string &name, const scene::Mesh &mesh, const device
     }
 }
 
-void write_json(const std::string &file, const std::vector<Result> &results, double geomean, double least) {
+nlohmann::json to_json(const std::vector<Result> &results, double geomean, double least) {
     nlohmann::json json{{"geomean", geomean}, {"min", least}, {"results", nlohmann::json::array()}};
     for (const Result &r : results)
         json["results"].push_back({{"name", r.name},
@@ -112,8 +93,7 @@ void write_json(const std::string &file, const std::vector<Result> &results, dou
                                    {"nacre_mrays", r.nacre},
                                    {"embree_mrays", r.embree},
                                    {"different", r.different}});
-    std::ofstream out(file);
-    if (!(out << json.dump(2) << '\n' << std::flush)) throw Error(Exit::output, file, "cannot be written");
+    return json;
 }
 
 int run(const Options &options) {
@@ -132,16 +112,15 @@ int run(const Options &options) {
     measure_mesh("blob", make_blob(std::max(2, int(std::sqrt(blob / 12)))), device, options, results);
     measure_mesh("knot", make_knot(std::max(8, int(std::sqrt(knot / 16)))), device, options, results);
 
-    double log_sum = 0, least = results[0].ratio;
+    std::vector<double> ratios;
     bool agree = true;
     for (const Result &r : results) {
-        log_sum += std::log(r.ratio);
-        least = std::min(least, r.ratio);
+        ratios.push_back(r.ratio);
         agree = agree && r.different < 1e-3;
     }
-    const double geomean = std::exp(log_sum / double(results.size()));
+    const double geomean = geometric_mean(ratios), least = *std::min_element(ratios.begin(), ratios.end());
     fmt::print("geometric mean {:.2f}, least {:.2f}\n", geomean, least);
-    if (!options.json.empty()) write_json(options.json, results, geomean, least);
+    if (!options.json.empty()) write_json(options.json, to_json(results, geomean, least));
     if (!agree) throw Error(Exit::failed, "rays", "hits differ from Embree's");
     return 0;
 }

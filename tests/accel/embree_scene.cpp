@@ -2,31 +2,13 @@
 #include "base/error.h"
 #include <cstring>
 #include <numeric>
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace nacre {
-namespace {
 
-/// Embree's manual asks for flushed denormals; the former state comes back at the end.
-class FlushDenormals {
-#if defined(__x86_64__)
-  public:
-    FlushDenormals() { _mm_setcsr(before | 0x8040); } // FTZ, DAZ
-    ~FlushDenormals() { _mm_setcsr(before); }
-
-  private:
-    const unsigned before = _mm_getcsr();
-#endif
-};
-
-} // namespace
-
-EmbreeScene::EmbreeScene(std::span<const accel::Triangle> triangles, bool robust)
+EmbreeScene::EmbreeScene(std::span<const accel::Triangle> triangles, bool robust, RTCBuildQuality quality)
     : device(rtcNewDevice(nullptr)), scene(rtcNewScene(device.get())) {
     rtcSetSceneFlags(scene.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
-    rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneBuildQuality(scene.get(), quality);
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     void *positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f),
                                               3 * triangles.size());
