@@ -27,7 +27,8 @@ class Megakernel {
     const render::DeviceScene scene;
     cl::Kernel kernel;
     cl_uint arguments; // of the scene
-    cl::Buffer paths, results, suspended, counters;
+    std::size_t workers; // 0: a work-item per path
+    cl::Buffer paths, results, suspended, pool, counters;
     std::size_t count = 0;
 };
 

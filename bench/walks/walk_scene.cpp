@@ -29,7 +29,7 @@ scene::Scene walk_scene(const scene::Mesh &mesh, double mean_free_path, double a
     material[PARAMETER_subsurface_color].value = Vec3(0.8, 0.5, 0.4);
     material[PARAMETER_subsurface_radius].value =
         Vec3::Constant(mean_free_path * scene::bounds(mesh).sizes().maxCoeff());
-    material[PARAMETER_subsurface_radius_scale].value = Vec3(1, 0.35, 0.2);
+    material[PARAMETER_subsurface_radius_scale].value = Vec3(1, 1, 1);
     material[PARAMETER_subsurface_scatter_anisotropy].value = Vec3::Constant(anisotropy);
     scene.objects.push_back({.name = "mesh", .mesh = mesh});
     scene.lights.emplace_back(); // an environment of radiance 1

@@ -50,9 +50,9 @@ typedef struct {
     uint ray;
 } Flying;
 
-// The first LANES of a row at once.
-#define STREAM_ROW(row) (*(real *)(row))
-#define STREAM_ROW_UINT(row) (*(natural *)(row))
+// LANES rays' place in a row, from ray `first` on, a multiple of LANES.
+#define STREAM_LANES(row, first) (*(real *)((row) + (first)))
+#define STREAM_LANES_UINT(row, first) (*(natural *)((row) + (first)))
 
 void stream_put(RayStream *stream, uint i, Ray ray, uint root) {
     stream->origin_x[i] = ray.origin.x;

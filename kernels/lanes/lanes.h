@@ -53,11 +53,11 @@ mask mask_of(uint set) {
 
 #define LANES_ALL (0xffffffffu >> (32 - LANES))
 
-// Runs what follows for each lane l whose bit is set. With one lane l is a constant, so that the lane's values stay in registers.
+// Runs what follows for each l whose bit is set. With one lane l is a constant, so that the lane's values stay in registers.
 #if LANES == 1
-#define FOR_LANES(l, set) for (uint l = 0u, once_##l = (set); once_##l != 0u; once_##l = 0u)
+#define FOR_BITS(l, set) for (uint l = 0u, once_##l = (set); once_##l != 0u; once_##l = 0u)
 #else
-#define FOR_LANES(l, set)                                                                                              \
+#define FOR_BITS(l, set)                                                                                               \
     for (uint rest_##l = (set), l = lowest_bit(rest_##l); rest_##l != 0u; rest_##l &= rest_##l - 1u, l = lowest_bit(rest_##l))
 #endif
 

@@ -100,13 +100,13 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
     path->depth = LANE_UINT(lanes->depth, l);
 }
 
-// What became of the walk in lane l, one of those that `ends` names: out, or lost.
-Shadow lane_end(const Scene *scene, const WalkLanes *lanes, const RayStream *stream, uint l, TurnEnds ends, Path *path,
+// What became of walk w of a turn, one of those that `ends` names: out, or lost.
+Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, Path *path,
                 Counts *counts) {
-    const uint bit = 1u << l;
-    lane_store(lanes, l, path);
+    const uint bit = 1u << w;
+    lane_store(groups + w / LANES, w % LANES, path);
     if (ends.left & bit) {
-        const Surface surface = surface_at(scene, stream_ray(stream, l), stream_hit(stream, scene->blocks, l));
+        const Surface surface = surface_at(scene, stream_ray(stream, w), stream_hit(stream, scene->blocks, w));
         return path_exit(scene, path, surface.position, surface.error, surface.shading, surface.geometric);
     }
     if (ends.slipped & bit) {

@@ -10,7 +10,7 @@
 #define WORKER_CHUNK 64u
 
 // With fewer lanes than this in use, and no walk waiting, a worker looks for more walks before it goes on.
-#define WORKER_FEW_LANES (3u * LANES / 4u)
+#define WORKER_FEW_LANES (3u * LANES * LANE_GROUPS / 4u)
 
 typedef struct {
     global Path *pool;
@@ -19,7 +19,7 @@ typedef struct {
     uint next, end;            // paths of the launch that it took and has not begun
     bool exhausted;            // the launch has no more
     uint turns;                // of its lanes since then
-    WalkLanes lanes;
+    WalkLanes lanes[LANE_GROUPS];
     uint walking;              // lanes in use, as bits
     RayStream stream;
     RayStream shadows;         // rays to lights
@@ -106,10 +106,10 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
 
 // Puts walks that wait into idle lanes.
 void worker_fill_lanes(const Scene *scene, Worker *worker) {
-    for (uint idle = ~worker->walking & LANES_ALL; idle != 0u && worker->walk_count > 0u; idle &= idle - 1u) {
+    for (uint idle = ~worker->walking & WALKS_ALL; idle != 0u && worker->walk_count > 0u; idle &= idle - 1u) {
         const uint l = lowest_bit(idle), at = worker->walks[--worker->walk_count];
         const Path path = worker->pool[at];
-        lane_load(scene, &worker->lanes, l, &path, at);
+        lane_load(scene, worker->lanes + l / LANES, l % LANES, &path, at);
         worker->walking |= 1u << l;
     }
 }
@@ -121,13 +121,13 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
         const bool more = worker->ray_count > 0u || !worker->exhausted;
         if (worker->walking == 0u || (more && popcount(worker->walking) < WORKER_FEW_LANES)) break;
         if (worker->exhausted && worker->turns++ >= launch->batch.budget) break;
-        const TurnEnds ends = walk_turn(scene, &worker->lanes, &worker->stream, worker->walking, counts);
+        const TurnEnds ends = walk_turn(scene, worker->lanes, &worker->stream, worker->walking, counts);
         const uint ended = ends.left | ends.slipped | ends.ended | ends.capped;
         worker->walking &= ~ended;
-        FOR_LANES(l, ended) {
-            const uint at = LANE_UINT(worker->lanes.path, l);
+        FOR_BITS(l, ended) {
+            const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);
             Path path = worker->pool[at];
-            const Shadow shadow = lane_end(scene, &worker->lanes, &worker->stream, l, ends, &path, counts);
+            const Shadow shadow = lane_end(scene, worker->lanes, &worker->stream, l, ends, &path, counts);
             worker->pool[at] = path;
             worker_ask_light(scene, worker, at, &shadow, counts);
             worker_file(worker, launch, at, counts); // a walk that ends for good asks for no light
@@ -138,10 +138,10 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
 
 // Leaves what is under way to the next launch, which has room for every path of every pool.
 void worker_suspend(Worker *worker, const Launch *launch) {
-    FOR_LANES(l, worker->walking) {
-        const uint at = LANE_UINT(worker->lanes.path, l);
+    FOR_BITS(l, worker->walking) {
+        const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);
         Path path = worker->pool[at];
-        lane_store(&worker->lanes, l, &path);
+        lane_store(worker->lanes + l / LANES, l % LANES, &path);
         launch_suspend(launch, &path);
     }
     for (uint i = 0; i < worker->walk_count; i++) {

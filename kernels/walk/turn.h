@@ -1,4 +1,4 @@
-// LANES walks side by side, each on its own way, and their turns: one flight each.
+// Walks side by side, each on its own way, LANES to a group, and their turns: one flight each.
 #ifndef NACRE_WALK_TURN_H
 #define NACRE_WALK_TURN_H
 
@@ -9,10 +9,22 @@
 #include "walk/clearance.h"
 #include "walk/walk.h"
 
-// How often the part of a flight that must be traced is narrowed.
-#ifndef CLEARANCE_ROUNDS
-#define CLEARANCE_ROUNDS 2u
+// Groups of lanes in a turn, up to 32 walks together.
+#ifndef LANE_GROUPS
+#if LANES == 1
+#define LANE_GROUPS 1
+#else
+#define LANE_GROUPS (32 / LANES)
 #endif
+#endif
+#define WALKS_ALL (0xffffffffu >> (32 - LANES * LANE_GROUPS))
+
+// With so many lanes that may meet the surface it pays to look closer before their rays are traced.
+#ifndef CLEARANCE_MANY
+#define CLEARANCE_MANY (LANES / 4 + 1)
+#endif
+
+uint group_bits(uint walks, uint group) { return walks >> (group * LANES) & LANES_ALL; }
 
 typedef struct {
     Walk walk;
@@ -23,6 +35,11 @@ typedef struct {
     natural depth;                // shells it is inside of
     natural max_depth;            // scatters it may have, 0: no cap
     natural path;                 // where the rest of its path is kept
+    // Of this turn's flight:
+    Natural4 words;               // its random numbers: length, cosine, azimuth, roulette
+    real rounding;                // of its start
+    real clear_end;               // `clear` at its end
+    real distance;                // to its end, or to where it leaves
 } WalkLanes;
 
 // Lanes, as bits, that are no longer under way after a turn.
@@ -39,113 +56,131 @@ real clearance_along(const Scene *scene, const WalkLanes *lanes, real t) {
                         fma(walk->direction.y, t, walk->position.y), fma(walk->direction.z, t, walk->position.z));
 }
 
-// Narrows [*near, *far], the part of a flight that is not known to be clear, from both ends: what a ball about an end reaches
-// is clear, and so is what one about the new end reaches. Returns the lanes of `flying` that have a part left.
-uint turn_narrow(const Scene *scene, const WalkLanes *lanes, uint flying, real *near, real *far) {
-    for (uint k = 0u; k < CLEARANCE_ROUNDS; k++) {
-        flying &= bits(*near < *far);
-        if (flying == 0u) return 0u;
-        *near += clearance_along(scene, lanes, *near);
-        *far -= clearance_along(scene, lanes, *far);
+// Longer than any way through the scene.
+float turn_beyond(const Scene *scene) { return 4.0f * scene->frame->scene_radius; }
+
+// Draws the flights of a group's lanes.
+void turn_draw(const Scene *scene, WalkLanes *lanes) {
+    Walk *walk = &lanes->walk;
+    lanes->words = lane_draw(lanes->key, lanes->sample, lanes->vertex, DRAW_WALK, walk->steps);
+    if (walk_chooses(scene)) {
+        const Natural4 words = lane_draw(lanes->key, lanes->sample, lanes->vertex, DRAW_WALK_CHANNEL, walk->steps);
+        walk_choose(scene, walk, lane_unit(words.x));
     }
+    const real number = pick(walk->steps == 0u, walk->first_number, lane_unit(lanes->words.x));
+    lanes->distance = min(walk_distance(scene, walk, number), (real)(turn_beyond(scene)));
+    lanes->rounding =
+        POSITION_ROUNDING * max(fabs(walk->position.x), max(fabs(walk->position.y), fabs(walk->position.z)));
+}
+
+// Narrows [*near, *far], the part of a flight that is not known to be clear, from both ends: what a ball about an end reaches
+// is clear. Returns the lanes of `flying` that have a part left.
+uint turn_narrow(const Scene *scene, WalkLanes *lanes, uint flying, real *near, real *far) {
+    lanes->clear_end = clearance_along(scene, lanes, lanes->distance);
+    *near = lanes->clear;
+    *far = lanes->distance - lanes->clear_end;
+    flying &= bits(*near < *far);
+    if (popcount(flying) < CLEARANCE_MANY) return flying;
+    *near += clearance_along(scene, lanes, *near);
+    *far -= clearance_along(scene, lanes, *far);
     return flying & bits(*near < *far);
 }
 
-// The rays of a turn: from a little before the start of a flight to a little beyond its end, so that neither a scatter nor the
-// next flight is outside by rounding; of that what lies between `near` and `far`.
-void turn_rays(const WalkLanes *lanes, real near, real far, real rounding, RayStream *stream) {
+// Writes the rays of a group's flights into the stream from `row` on: from a little before the start of a flight to a little
+// beyond its end, so that neither a scatter nor the next flight is outside by rounding; of that only what may meet the surface.
+// Returns the lanes of `active` that have a ray.
+uint turn_rays(const Scene *scene, WalkLanes *lanes, uint active, RayStream *stream, uint row) {
     const Walk *walk = &lanes->walk;
-    STREAM_ROW(stream->origin_x) = walk->position.x - rounding * walk->direction.x;
-    STREAM_ROW(stream->origin_y) = walk->position.y - rounding * walk->direction.y;
-    STREAM_ROW(stream->origin_z) = walk->position.z - rounding * walk->direction.z;
-    STREAM_ROW(stream->direction_x) = walk->direction.x;
-    STREAM_ROW(stream->direction_y) = walk->direction.y;
-    STREAM_ROW(stream->direction_z) = walk->direction.z;
-    STREAM_ROW(stream->t_min) = near;
-    STREAM_ROW(stream->t) = far + 2.0f * rounding;
-    STREAM_ROW_UINT(stream->root) = lanes->root;
+    uint flying = active;
+    real near = (real)(0.0f), far = lanes->distance;
+    if (HAS(CLEARANCE)) flying = turn_narrow(scene, lanes, active, &near, &far);
+    if (flying == 0u) return 0u;
+    STREAM_LANES(stream->origin_x, row) = walk->position.x - lanes->rounding * walk->direction.x;
+    STREAM_LANES(stream->origin_y, row) = walk->position.y - lanes->rounding * walk->direction.y;
+    STREAM_LANES(stream->origin_z, row) = walk->position.z - lanes->rounding * walk->direction.z;
+    STREAM_LANES(stream->direction_x, row) = walk->direction.x;
+    STREAM_LANES(stream->direction_y, row) = walk->direction.y;
+    STREAM_LANES(stream->direction_z, row) = walk->direction.z;
+    STREAM_LANES(stream->t_min, row) = near;
+    STREAM_LANES(stream->t, row) = far + 2.0f * lanes->rounding;
+    STREAM_LANES_UINT(stream->root, row) = lanes->root;
+    return flying;
 }
 
-// Traces the flights of the lanes in `flying`. Returns those that leave; `*distance` is then how far they came.
-uint turn_trace(const Scene *scene, WalkLanes *lanes, real rounding, RayStream *stream, uint flying, real *distance,
-                Counts *counts) {
-    const real t_max = STREAM_ROW(stream->t);
+// Traces the flights in `flying` and returns those that leave their object.
+uint turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, uint flying, Counts *counts) {
     uint left = 0u;
     while (flying != 0u) {
         counts->value[COUNTER_walk_rays] += popcount(flying);
         trace_stream(stream, flying, scene->nodes, scene->blocks, false);
         uint onward = 0u;
-        FOR_LANES(l, flying) {
-            const Hit hit = stream_hit(stream, scene->blocks, l);
+        FOR_BITS(w, flying) {
+            WalkLanes *lanes = groups + w / LANES;
+            const uint l = w % LANES;
+            const Hit hit = stream_hit(stream, scene->blocks, w);
             if (hit.block == BVH_NO_PRIMITIVE) continue;
-            const float3 direction = (float3)(stream->direction_x[l], stream->direction_y[l], stream->direction_z[l]);
-            uint depth = LANE_UINT(lanes->depth, l);
-            if (boundary_leaves(scene, hit, direction, LANE_FLOAT(rounding, l), &depth)) {
-                left |= 1u << l;
-                LANE_FLOAT(*distance, l) = fmax(0.0f, hit.t - LANE_FLOAT(rounding, l));
+            const float3 direction = (float3)(stream->direction_x[w], stream->direction_y[w], stream->direction_z[w]);
+            const float rounding = LANE_FLOAT(lanes->rounding, l), distance = LANE_FLOAT(lanes->distance, l);
+            if (boundary_leaves(scene, hit, direction, rounding, &LANE_UINT(lanes->depth, l))) {
+                left |= 1u << w;
+                LANE_FLOAT(lanes->distance, l) = fmax(0.0f, hit.t - rounding);
             } else { // on, beyond the shell
-                onward |= 1u << l;
-                stream->t_min[l] = hit.t;
-                stream->t[l] = LANE_FLOAT(t_max, l);
+                onward |= 1u << w;
+                stream->t_min[w] = hit.t;
+                stream->t[w] = distance + 2.0f * rounding;
             }
-            LANE_UINT(lanes->depth, l) = depth;
         }
         flying = onward;
     }
     return left;
 }
 
-// One flight of every lane in `active`; the others may hold anything.
-TurnEnds walk_turn(const Scene *scene, WalkLanes *lanes, RayStream *stream, uint active, Counts *counts) {
+// Ends the flights of a group: at the surface those that `left`, else in a scatter.
+TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint active, uint left_bits) {
     Walk *walk = &lanes->walk;
-    const float radius = scene->frame->scene_radius;
-    const float beyond = 4.0f * radius;             // longer than any way through the scene
-    const float outside2 = 1.01f * radius * radius; // no object reaches there
-    const Natural4 words = lane_draw(lanes->key, lanes->sample, lanes->vertex, DRAW_WALK, walk->steps);
-    if (walk_chooses(scene))
-        walk_choose(scene, walk, lane_unit(lane_draw(lanes->key, lanes->sample, lanes->vertex, DRAW_WALK_CHANNEL, walk->steps).x));
-    const real number = pick(walk->steps == 0u, walk->first_number, lane_unit(words.x));
-    const real length = min(walk_distance(scene, walk, number), (real)(beyond));
-    const real rounding =
-        POSITION_ROUNDING * max(fabs(walk->position.x), max(fabs(walk->position.y), fabs(walk->position.z)));
-
-    uint flying = active;
-    real near = (real)(0.0f), far = length, clear_end = near;
-    if (HAS(CLEARANCE)) {
-        clear_end = clearance_along(scene, lanes, length);
-        near = lanes->clear;
-        far = length - clear_end;
-        flying = turn_narrow(scene, lanes, flying, &near, &far);
-    }
-    real distance = length;
-    TurnEnds ends;
-    ends.left = 0u;
-    if (flying != 0u) {
-        turn_rays(lanes, near, far, rounding, stream);
-        ends.left = turn_trace(scene, lanes, rounding, stream, flying, &distance, counts);
-    }
+    const float outside2 = 1.01f * scene->frame->scene_radius * scene->frame->scene_radius; // no object reaches there
     const real from_centre2 = fma(walk->position.x, walk->position.x,
                                   fma(walk->position.y, walk->position.y, walk->position.z * walk->position.z));
-    ends.slipped = bits((length >= beyond) | (from_centre2 > outside2)) & active & ~ends.left;
+    TurnEnds ends;
+    ends.left = left_bits;
+    ends.slipped = bits((lanes->distance >= turn_beyond(scene)) | (from_centre2 > outside2)) & active & ~left_bits;
     Walk before;
     if (ends.slipped != 0u) before = *walk;
 
-    const mask left = mask_of(ends.left);
-    walk_arrive(scene, walk, distance, left, lane_unit(words.y), lane_unit(words.z));
-    lanes->clear = clear_end;
-    const mask survives = walk_roulette(walk, lane_unit(words.w), left);
-    const mask capped = (lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth);
+    const mask left = mask_of(left_bits);
+    walk_arrive(scene, walk, lanes->distance, left, lane_unit(lanes->words.y), lane_unit(lanes->words.z));
+    if (HAS(CLEARANCE)) lanes->clear = lanes->clear_end;
+    const mask survives = walk_roulette(walk, lane_unit(lanes->words.w), left);
     const uint under_way = active & ~ends.left & ~ends.slipped;
     ends.ended = under_way & ~bits(survives);
-    ends.capped = under_way & ~ends.ended & bits(capped);
+    ends.capped = under_way & ~ends.ended & bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));
     if (ends.slipped != 0u) {
         const mask slipped = mask_of(ends.slipped);
         walk->position = pick3(slipped, before.position, walk->position);
         walk->direction = pick3(slipped, before.direction, walk->direction);
         walk->weight = pick3(slipped, before.weight, walk->weight);
     }
-    counts->value[COUNTER_steps] += popcount(active);
     return ends;
+}
+
+// One flight of every walk in `active`, bit g LANES + l for lane l of group g; the other lanes may hold anything. The groups
+// take each part of the turn one after the other, so that one's rays and look-ups wait for memory together with the other's.
+TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, uint active, Counts *counts) {
+    uint flying = 0u;
+    for (uint g = 0u; g < LANE_GROUPS; g++) turn_draw(scene, groups + g);
+    for (uint g = 0u; g < LANE_GROUPS; g++)
+        flying |= turn_rays(scene, groups + g, group_bits(active, g), stream, g * LANES) << (g * LANES);
+    const uint left = turn_trace(scene, groups, stream, flying, counts);
+    TurnEnds all = {0u, 0u, 0u, 0u};
+    for (uint g = 0u; g < LANE_GROUPS; g++) {
+        const TurnEnds ends = turn_arrive(scene, groups + g, group_bits(active, g), group_bits(left, g));
+        all.left |= ends.left << (g * LANES);
+        all.slipped |= ends.slipped << (g * LANES);
+        all.ended |= ends.ended << (g * LANES);
+        all.capped |= ends.capped << (g * LANES);
+    }
+    counts->value[COUNTER_steps] += popcount(active);
+    return all;
 }
 
 #endif
