@@ -13,8 +13,8 @@ struct BinaryNode {
     bool leaf() const { return count == 1; }
 };
 
-/// Parents come before their children, node 0 is the root: decreasing index is bottom-up. Triangles that are not finite
-/// or have no area (in float) are left out; no triangle at all gives no node. Throws Error{Exit::failed} when Embree
+/// Parents come before their children, node 0 is the root: decreasing index is bottom-up. Triangles that
+/// cannot be hit are left out; no triangle at all gives no node. Throws Error{Exit::failed} when Embree
 /// fails.
 std::vector<BinaryNode> build_binary_tree(std::span<const Triangle> triangles);
 

@@ -12,6 +12,9 @@ struct Triangle {
     Vec3f v[3];
 };
 
+/// Triangles that are not finite or have no area (in float) cannot, and are left out of whatever is built.
+bool can_be_hit(const Triangle &triangle);
+
 /// Flattened BVH(s), in the layout of kernels/shared/bvh.h. Several trees may share the two arrays.
 struct Bvh {
     int width = 16;            // children per node and triangles per leaf block: 16, 8 or 4
@@ -22,8 +25,8 @@ struct Bvh {
 
 /// Builds a tree over triangles[i] with primitive id first_primitive + i, appends it to `bvh`, returns its root (as a
 /// child reference: a node, or a leaf when one suffices). Embree builds (rtcBuildBVH), a dynamic-programming collapse
-/// makes the wide nodes. Triangles that are not finite or have no area (in float) are left out. An empty span gives a
-/// root that nothing hits. Throws Error{Exit::failed} when Embree fails.
+/// makes the wide nodes. Triangles that cannot be hit are left out. An empty span gives a root that nothing hits.
+/// Throws Error{Exit::failed} when Embree fails.
 std::uint32_t append_tree(Bvh &bvh, std::span<const Triangle> triangles, std::uint32_t first_primitive);
 
 } // namespace nacre::accel

@@ -47,9 +47,7 @@ std::vector<RTCBuildPrimitive> primitives_of(std::span<const Triangle> triangles
     primitives.reserve(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); i++) {
         const auto &v = triangles[i].v;
-        if (!v[0].allFinite() || !v[1].allFinite() || !v[2].allFinite()) continue;
-        // Rounding lets a ray hit a triangle without area, and then it has no normal.
-        if ((v[1] - v[0]).cross(v[2] - v[0]).isZero(0)) continue;
+        if (!can_be_hit(triangles[i])) continue;
         const Vec3f lower = v[0].cwiseMin(v[1]).cwiseMin(v[2]), upper = v[0].cwiseMax(v[1]).cwiseMax(v[2]);
         primitives.push_back(
             {lower.x(), lower.y(), lower.z(), 0, upper.x(), upper.y(), upper.z(), static_cast<unsigned>(i)});
@@ -90,6 +88,13 @@ std::vector<BinaryNode> copy_out(const Item *root, const Eigen::AlignedBox3f &ro
 }
 
 } // namespace
+
+bool can_be_hit(const Triangle &triangle) {
+    const auto &v = triangle.v;
+    if (!v[0].allFinite() || !v[1].allFinite() || !v[2].allFinite()) return false;
+    // Rounding lets a ray hit a triangle without area, and then it has no normal.
+    return !(v[1] - v[0]).cross(v[2] - v[0]).isZero(0);
+}
 
 std::vector<BinaryNode> build_binary_tree(std::span<const Triangle> triangles) {
     std::vector<RTCBuildPrimitive> primitives = primitives_of(triangles);
