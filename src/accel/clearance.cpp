@@ -7,6 +7,7 @@ namespace nacre::accel {
 namespace {
 
 constexpr int brick = CLEARANCE_BRICK;
+static_assert(sizeof(shared::Clearance) == 48 && brick * brick * brick == CLEARANCE_BRICK_BYTES);
 
 /// Bricks along each axis for cells of `edge`.
 Vec3 bricks_for(const Vec3 &extent, double edge) {
@@ -70,19 +71,20 @@ ClearanceField build_clearance(std::span<const Triangle> triangles, float wanted
     // From cells to the kernels' units, less the rounding on the way here: doubles to float, square roots, this
     // product.
     const float scale = grid.edge * (1 - 1e-6f);
-    const std::size_t row = std::size_t(grid.size.x()), rows = distances.size() / row;
-    std::vector<float> largest(rows);
-    parallel_for(rows, [&](std::size_t i) {
+    const std::size_t layer = grid.row(0, 1);
+    std::vector<float> largest(std::size_t(grid.size.z()));
+    parallel_for(largest.size(), [&](std::size_t z) {
         float most = 0;
-        for (std::size_t x = i * row; x < (i + 1) * row; x++) most = std::max(most, distances[x] *= scale);
-        largest[i] = most;
+        for (std::size_t i = z * layer; i < (z + 1) * layer; i++) most = std::max(most, distances[i] *= scale);
+        largest[z] = most;
     });
     const float unit = *std::max_element(largest.begin(), largest.end()) / (255 * 255);
+    if (!(unit > 0)) return field;
 
     field.bricks.resize(grid.cells());
-    const std::size_t columns = row / brick, layers = grid.cells() / CLEARANCE_BRICK_BYTES / columns;
-    parallel_for(layers, [&](std::size_t i) {
-        for (std::size_t b = i * columns; b < (i + 1) * columns; b++)
+    const std::size_t batch = layer / (brick * brick); // bricks of a layer
+    parallel_for(largest.size() / brick, [&](std::size_t z) {
+        for (std::size_t b = z * batch; b < (z + 1) * batch; b++)
             encode(grid, distances, unit, b, field.bricks.data() + b * CLEARANCE_BRICK_BYTES);
     });
 
