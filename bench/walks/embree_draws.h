@@ -76,7 +76,7 @@ inline void sobol_pair(const Sampler &sampler, Draw name, float &first, float &s
 /// What flights [first, first + size) of a walk draw. x, y, z: new directions (isotropic), or sine and cosine of the
 /// deflection and azimuth (its sine in z, its cosine in w).
 struct Draws {
-    static constexpr int size = 8;
+    static constexpr int size = 16;
     alignas(64) float depth[size], roulette[size], x[size], y[size], z[size], w[size];
 
     template <bool Anisotropic> void fill(const Sampler &sampler, std::uint32_t first, float g) {

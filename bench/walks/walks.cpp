@@ -29,26 +29,13 @@ struct Result {
     double different;                      // largest relative difference of flights and radiance
 };
 
-struct Mesh {
-    std::string name;
-    scene::Mesh mesh;
-    double weighs; // in the geometric mean
-};
-
 double largest_difference(const Outcome &a, const Outcome &b) {
     double largest = std::abs(a.steps / b.steps - 1);
     for (int c = 0; c < 3; c++) largest = std::max(largest, std::abs(a.radiance[c] / b.radiance[c] - 1));
     return largest;
 }
 
-class Opponents {
-  public:
-    explicit Opponents(std::span<const accel::Triangle> triangles)
-        : medium(triangles, false), high(triangles, false, RTC_BUILD_QUALITY_HIGH), robust(triangles, true) {}
-    const EmbreeScene medium, high, robust;
-};
-
-Result measure(const std::string &name, Megakernel &megakernel, const Opponents &opponents,
+Result measure(const std::string &name, Megakernel &megakernel, const EmbreeScene &fast, const EmbreeScene &robust,
                std::span<const shared::Path> paths, const Options &options) {
     std::vector<shared::float4> radiance(paths.size());
     std::uint64_t steps = 0;
@@ -58,29 +45,23 @@ Result measure(const std::string &name, Megakernel &megakernel, const Opponents 
     megakernel.upload(paths);
     megakernel.run(); // PoCL generates code at the first launch
     const Outcome ours = outcome(megakernel.radiance(), double(megakernel.steps()));
-    // The better of two trees; the first run of each warms its caches.
-    embree(opponents.medium);
-    embree(opponents.high);
-    const double medium = embree(opponents.medium).cpu, high = embree(opponents.high).cpu;
-    const EmbreeScene &fast = high < medium ? opponents.high : opponents.medium;
-    if (getenv("SHOW_QUALITY")) fmt::print("high/medium {:.3f}\n", high / medium);
     Result result{name, 0, 0, 0, 0, 0, ours.steps / double(paths.size()), 0};
-    embree(opponents.robust);
-    result.different = largest_difference(ours, outcome(radiance, double(steps)));
+    for (const EmbreeScene *scene : {&fast, &robust}) {
+        embree(*scene);
+        result.different = std::max(result.different, largest_difference(ours, outcome(radiance, double(steps))));
+    }
 
     std::vector<double> ratio, cpu_ratio, robust_ratio, nacre_seconds, embree_seconds;
     for (int pair = 0; pair < options.pairs; pair++) {
         const Seconds theirs = embree(fast);
         const Seconds mine = seconds([&] { megakernel.run(); });
-        const Seconds robust = embree(opponents.robust);
+        const Seconds careful = embree(robust);
         nacre_seconds.push_back(mine.wall);
         embree_seconds.push_back(theirs.wall);
         ratio.push_back(theirs.wall / mine.wall);
         cpu_ratio.push_back(theirs.cpu / mine.cpu);
-        robust_ratio.push_back(robust.wall / mine.wall);
+        robust_ratio.push_back(careful.wall / mine.wall);
     }
-    embree(fast);
-    result.different = std::max(result.different, largest_difference(ours, outcome(radiance, double(steps))));
     result.ratio = median(ratio);
     result.cpu_ratio = median(cpu_ratio);
     result.robust_ratio = median(robust_ratio);
@@ -92,12 +73,12 @@ Result measure(const std::string &name, Megakernel &megakernel, const Opponents 
 void measure_mesh(const std::string &name, const scene::Mesh &mesh, const device::Device &device,
                   const Options &options, std::vector<Result> &results) {
     const std::vector<accel::Triangle> triangles = walk_triangles(walk_scene(mesh, 1, 0));
-    const Opponents opponents(triangles);
+    const EmbreeScene fast(triangles, false), robust(triangles, true);
     for (const auto &[medium, mean_free_path] : {std::pair{"0.2%", 0.002}, {"1%", 0.01}, {"5%", 0.05}}) {
         const scene::Scene scene = walk_scene(mesh, mean_free_path, options.anisotropy);
         Megakernel megakernel(device, scene);
         const std::vector<shared::Path> paths = walk_entries(scene, triangles, options.walks);
-        const Result r = measure(fmt::format("{}/{}", name, medium), megakernel, opponents, paths, options);
+        const Result r = measure(fmt::format("{}/{}", name, medium), megakernel, fast, robust, paths, options);
         fmt::print("{:12} {:8.3f} {:8.3f} {:7.1f} {:7.1f} {:6.1f} {:7.2f} {:7.2f} {:7.2f} {:9.1e}\n", r.name, r.nacre,
                    r.embree, r.nacre * r.steps, r.embree * r.steps, r.steps, r.ratio, r.cpu_ratio, r.robust_ratio,
                    r.different);
