@@ -41,12 +41,16 @@ typedef struct {
 float3 rotated(float3 v, uint z) { return z == 0u ? v.yzx : z == 1u ? v.zxy : v; }
 float axis_of(float3 v, uint axis) { return axis == 0u ? v.x : axis == 1u ? v.y : v.z; }
 
+void set_shear_axes(Shear *s, uint z) {
+    s->z = z;
+    s->x = z == 2u ? 0u : z + 1u;
+    s->y = z == 0u ? 2u : z - 1u;
+}
+
 Shear shear_of(float3 origin, float3 direction, float3 rcp) {
     const float3 a = fabs(direction);
     Shear s;
-    s.z = a.x >= a.y ? (a.x >= a.z ? 0u : 2u) : (a.y >= a.z ? 1u : 2u);
-    s.x = s.z == 2u ? 0u : s.z + 1u;
-    s.y = s.z == 0u ? 2u : s.z - 1u;
+    set_shear_axes(&s, a.x >= a.y ? (a.x >= a.z ? 0u : 2u) : (a.y >= a.z ? 1u : 2u));
     s.origin = rotated(origin, s.z);
     s.rcp_z = rotated(rcp, s.z).z;
     const float3 slopes = rotated(direction, s.z) * s.rcp_z;

@@ -73,7 +73,7 @@ bool is_nearer(global const float *blocks, uint block, uint slot, float t, const
 }
 
 // Hits of a leaf that are closer than hit->t. True as soon as there is one, if any will do.
-bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float t_min, bool any, Hit *hit) {
+ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float t_min, bool any, Hit *hit) {
     const uint first = leaf & BVH_LEAF_FIRST_MASK;
     const uint last = first + ((leaf >> BVH_LEAF_COUNT_SHIFT) & BVH_LEAF_COUNT_MASK);
     for (uint block = first; block <= last; block++) {

@@ -21,6 +21,16 @@ typedef struct {
     uint near_x, near_y, near_z, far_x, far_y, far_z; // where the rows start in a node
 } Slabs;
 
+// Of lower and upper bounds, by the signs of rcp.
+void set_slab_rows(Slabs *s) {
+    s->near_x = (as_uint(s->rcp.x) >> 31) * BVH_WIDTH;
+    s->near_y = (as_uint(s->rcp.y) >> 31) * BVH_WIDTH + 2u * BVH_WIDTH;
+    s->near_z = (as_uint(s->rcp.z) >> 31) * BVH_WIDTH + 4u * BVH_WIDTH;
+    s->far_x = s->near_x ^ BVH_WIDTH;
+    s->far_y = s->near_y ^ BVH_WIDTH;
+    s->far_z = s->near_z ^ BVH_WIDTH;
+}
+
 Slabs slabs_of(float3 origin, float3 rcp, float extent) {
     const float3 a = fabs(origin);
     const float3 slack = fabs(rcp) * (SLAB_SLACK * (extent + max(a.x, max(a.y, a.z))));
@@ -28,12 +38,7 @@ Slabs slabs_of(float3 origin, float3 rcp, float extent) {
     s.rcp = rcp;
     s.near_shift = -origin * rcp - slack;
     s.far_shift = -origin * rcp + slack;
-    s.near_x = rcp.x < 0.0f ? 1u * BVH_WIDTH : 0u;
-    s.near_y = rcp.y < 0.0f ? 3u * BVH_WIDTH : 2u * BVH_WIDTH;
-    s.near_z = rcp.z < 0.0f ? 5u * BVH_WIDTH : 4u * BVH_WIDTH;
-    s.far_x = s.near_x ^ BVH_WIDTH;
-    s.far_y = s.near_y ^ BVH_WIDTH;
-    s.far_z = s.near_z ^ BVH_WIDTH;
+    set_slab_rows(&s);
     return s;
 }
 

@@ -23,6 +23,7 @@ RayProbe::RayProbe(const device::Device &device, const accel::Bvh &bvh, const st
     : device(device), nodes(device::constant_buffer<float>(device, bvh.nodes)), blocks(device::constant_buffer<float>(device, bvh.blocks)) {
     device::Variant variant;
     variant.entry = "probe_rays.cl";
+    variant.lanes = device.quirks.lanes;
     variant.bvh_stack = stack ? stack : rounded_up(bvh.stack);
     variant.extra = fmt::format("-DRAYS_PER_ITEM={} {}", rays_per_item, extra);
     program = device::build(device, variant).program;
