@@ -162,6 +162,9 @@ void trace_many(const Scene *scene, const Launch *launch, global Path *pool, Cou
     worker.next = worker.end = worker.turns = worker.walking = 0u;
     worker.exhausted = false;
     worker.vacant_count = POOL_PATHS;
+    // Lanes without a walk compute along; what they hold must not lead them out of a buffer.
+    uint *words = (uint *)worker.lanes;
+    for (uint i = 0; i < sizeof(worker.lanes) / sizeof(uint); i++) words[i] = 0u;
     for (uint i = 0; i < POOL_PATHS; i++) worker.vacant[i] = (ushort)(POOL_PATHS - 1u - i);
     for (;;) {
         worker_begin(scene, &worker, launch, counts);

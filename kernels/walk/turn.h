@@ -163,7 +163,7 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint active, uint lef
     return ends;
 }
 
-// One flight of every walk in `active`, bit g LANES + l for lane l of group g; the other lanes may hold anything. The groups
+// One flight of every walk in `active`, bit g LANES + l for lane l of group g; the other lanes compute along, unheeded. The groups
 // take each part of the turn one after the other, so that one's rays and look-ups wait for memory together with the other's.
 TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, uint active, Counts *counts) {
     uint flying = 0u;
