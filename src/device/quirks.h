@@ -9,6 +9,7 @@ struct Quirks {
     bool bvh_vector = false;  // test a node's children in one vector operation, else in a loop
     int work_group = 64;      // the one work-group size of every kernel
     bool binary_cache = true; // keep program binaries of our own
+    std::string options = {}; // of its compiler alone
 };
 
 struct DeviceInfo;
