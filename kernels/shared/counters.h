@@ -70,7 +70,8 @@ SHARED_END
 #define PROFILE_TAIL (COUNTER_TAIL + 16)
 #define PROFILE_WORDS (PROFILE_TAIL + COUNTER_SLICES * PROFILE_STRIDE)
 
-// PROFILED(tokens): only with -DPROFILE. It brings its own semicolons and commas, so that without PROFILE nothing is left.
+// PROFILED(tokens): only with -DPROFILE. It brings its own semicolons and commas, so that without PROFILE nothing is left;
+// never the one statement of an `if` without braces, for the same reason.
 #ifdef PROFILE
 #define PROFILED(...) __VA_ARGS__
 #else

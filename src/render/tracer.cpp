@@ -93,7 +93,8 @@ void Tracer::take_counters(Statistics &statistics) {
                                    recorder.copy("clear counters"));
     if (counted.size() == PROFILE_WORDS) {
         device.queue.enqueueFillBuffer(counters, 0u, PROFILE_TAIL * sizeof(uint),
-                                       (PROFILE_WORDS - PROFILE_TAIL) * sizeof(uint));
+                                       (PROFILE_WORDS - PROFILE_TAIL) * sizeof(uint), nullptr,
+                                       recorder.copy("clear profile"));
         statistics.profile.add(counted);
     }
     for (int slice = 0; slice < COUNTER_SLICES; ++slice)

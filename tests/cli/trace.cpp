@@ -66,6 +66,7 @@ TEST_F(Cli, TraceIsNested) {
     EXPECT_GE(copies, 3);
     EXPECT_GT(last, render.begin + 0.5 * (render.end - render.begin)) << "the device's clock is on the host's";
     EXPECT_LE(the("generate code: trace_paths").end, the("trace_paths").begin + rounding);
+    EXPECT_GE(the("read film").begin, the("accumulate").end - rounding) << "what comes after the last launch is there";
     EXPECT_EQ(trace["otherData"]["dropped_spans"], 0);
 }
 
