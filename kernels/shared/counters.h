@@ -18,6 +18,19 @@
     X(roulette)      /* walks and paths ended by roulette */                                                           \
     X(non_finite)    /* samples that were NaN or infinite, replaced by black */
 
+// What only a program with -DPROFILE counts. Nodes and blocks of a kind of ray stand side by side: a traversal gets the
+// address of the first.
+#define PROFILE_LIST(X)                                                                                                \
+    X(ray_nodes)     /* BVH nodes that rays outside of walks opened */                                                 \
+    X(ray_blocks)    /* triangle blocks that they tested */                                                            \
+    X(shadow_nodes)                                                                                                    \
+    X(shadow_blocks)                                                                                                   \
+    X(walk_nodes)                                                                                                      \
+    X(walk_blocks)                                                                                                     \
+    X(clear_steps)   /* flights that needed no ray */                                                                  \
+    X(lane_turns)    /* turns of a worker's lanes: a flight in each that has a walk */                                 \
+    X(lane_active)   /* lanes that had one, summed over the turns */
+
 SHARED_BEGIN
 
 enum Counter {
@@ -26,6 +39,15 @@ enum Counter {
 #undef COUNTER_ENUM
     COUNTER_COUNT
 };
+
+#if defined(PROFILE) || !defined(__OPENCL_C_VERSION__)
+enum ProfileCounter {
+#define PROFILE_ENUM(name) PROFILE_##name,
+    PROFILE_LIST(PROFILE_ENUM)
+#undef PROFILE_ENUM
+    PROFILE_COUNT
+};
+#endif
 
 SHARED_END
 
@@ -39,5 +61,22 @@ SHARED_END
 #define COUNTER_BAD_SAMPLE (COUNTER_TAIL + 3)
 #define COUNTER_BAD_STEP (COUNTER_TAIL + 4)    // vertex << 24 | scatters of its last walk
 #define COUNTER_WORDS (COUNTER_TAIL + 5)
+
+// With -DPROFILE there follow, in as many slices: PROFILE_LIST, a histogram of steps per walk, and the most steps of one.
+#define PROFILE_BINS 96 // quarters of an octave (1, 2, … 7 each its own) up to 2^25, the last one open
+#define PROFILE_HISTOGRAM PROFILE_COUNT
+#define PROFILE_MOST_STEPS (PROFILE_HISTOGRAM + PROFILE_BINS)
+#define PROFILE_USED (PROFILE_MOST_STEPS + 1)
+#define PROFILE_STRIDE ((PROFILE_USED + 15) / 16 * 16)
+#define PROFILE_TAIL (COUNTER_TAIL + 16)
+#define PROFILE_WORDS (PROFILE_TAIL + COUNTER_SLICES * PROFILE_STRIDE)
+
+// PROFILED(tokens): only with -DPROFILE. It brings its own semicolons and commas, so that without PROFILE nothing is left;
+// never the one statement of an `if` without braces, for the same reason.
+#ifdef PROFILE
+#define PROFILED(...) __VA_ARGS__
+#else
+#define PROFILED(...)
+#endif
 
 #endif

@@ -9,5 +9,6 @@ using Run = std::function<int()>;
 Run add_render(CLI::App &program);
 Run add_devices(CLI::App &program);
 Run add_check(CLI::App &program);
+Run add_profile(CLI::App &program);
 
 } // namespace nacre::app

@@ -2,10 +2,10 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/render_options.h"
+#include "app/stopwatch.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
 #include "io/image.h"
-#include <chrono>
 #include <unistd.h>
 
 namespace nacre::app {
@@ -23,38 +23,34 @@ void check_output(const std::filesystem::path &file) {
         throw Error(Exit::output, file.string(), "its folder cannot be written to; choose another place");
 }
 
-void write_text(const std::filesystem::path &name, const std::string &text) {
-    io::AtomicFile file(name);
-    file.write(text.data(), text.size(), 0);
-    file.commit();
-}
-
 int render_scene(const RenderOptions &options) {
-    const auto start = std::chrono::steady_clock::now();
+    Stopwatch watch(!options.trace.empty());
     check_output(options.output);
     const render::Layers layers = options.layers();
-    scene::Scene scene = io::load_scene(options.scene.file, options.scene.overrides());
-    options.apply(scene);
+    scene::Scene scene = watch.load(options);
     const render::Crop crop = options.parse_crop(scene);
-    const double load_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!options.quiet)
         for (const std::string &warning : scene.warnings) fmt::print(stderr, "nacre: warning: {}\n", warning);
 
-    device::Device device = device::open_device(options.device);
-    device.kernel_folder = options.kernels;
-    render::Session session(std::move(device), scene, {layers, crop, options.generic});
+    render::Session session(watch.open_device(options), scene,
+                            {.layers = layers, .crop = crop, .generic = options.generic, .timeline = watch.timeline()});
     catch_interrupts();
     ProgressBar bar(options.quiet);
     const bool complete = session.render(
         scene.render.spp, [&](const render::Progress &progress) { bar.show(progress); }, &interrupted);
     bar.finish();
-    io::write_picture(options.output, session.picture(), scene.render.exposure);
+    {
+        const Span span(watch.timeline(), "write picture");
+        io::write_picture(options.output, session.picture(), scene.render.exposure);
+    }
 
-    render::Statistics statistics = session.statistics();
-    statistics.load = load_seconds;
-    statistics.first_pixel += load_seconds;
-    statistics.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!options.stats.empty()) write_text(options.stats, statistics.json());
+    const render::Statistics statistics = watch.complete(session.statistics());
+    if (!options.stats.empty()) io::write_text(options.stats, statistics.json());
+    if (!options.trace.empty()) {
+        io::write_text(options.trace, watch.timeline()->json());
+        if (const std::size_t dropped = watch.timeline()->dropped(); dropped > 0 && !options.quiet)
+            fmt::print(stderr, "nacre: warning: the trace ends early, {} more spans did not fit\n", dropped);
+    }
     if (!options.quiet)
         for (const std::string &remark : statistics.remarks()) fmt::print(stderr, "nacre: warning: {}\n", remark);
     if (options.strict && statistics[shared::COUNTER_non_finite] > 0)

@@ -24,25 +24,42 @@ std::vector<std::uint32_t> numbers(const std::string &text, char separator, std:
 
 } // namespace
 
-void RenderOptions::add_to(CLI::App &command) {
+void RenderOptions::add_common_to(CLI::App &command) {
     scene.add_to(command);
-    command.add_option("-o,--output", output, "Picture to write: .exr (float, with layers) or .png (sRGB)")
-        ->required()
-        ->type_name("FILE");
     command.add_option("--spp", spp, "Samples per pixel")->check(CLI::Range(1u, 0xffffffffu));
     command.add_option("--size", size, "Size of the picture in pixels")->type_name("WxH");
-    command.add_option("--crop", crop, "Render only pixels X0 <= x < X1, Y0 <= y < Y1")->type_name("X0,Y0,X1,Y1");
     command.add_option("--seed", seed, "Another seed gives other noise");
-    command
-        .add_option("--aov", aov, "Layers: albedo,N,depth,variance,samples, or none (default: all in EXR, none in PNG)")
-        ->type_name("LIST");
     command.add_option("--device", device, "OpenCL device: index, cpu, gpu, or part of its name (see `nacre devices`)");
     command.add_option("--kernels", kernels, "Read the kernels from this folder, not from the program")
         ->type_name("DIR");
-    command.add_option("--stats", stats, "Write what was done and what it cost as JSON")->type_name("FILE");
     command.add_flag("--generic", generic, "One kernel for every scene, to compare with the specialised one");
+}
+
+void RenderOptions::add_to(CLI::App &command) {
+    add_common_to(command);
+    command.add_option("-o,--output", output, "Picture to write: .exr (float, with layers) or .png (sRGB)")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--crop", crop, "Render only pixels X0 <= x < X1, Y0 <= y < Y1")->type_name("X0,Y0,X1,Y1");
+    command
+        .add_option("--aov", aov, "Layers: albedo,N,depth,variance,samples, or none (default: all in EXR, none in PNG)")
+        ->type_name("LIST");
+    command.add_option("--stats", stats, "Write what was done and what it cost as JSON")->type_name("FILE");
+    command.add_option("--trace", trace, "Write what happened when, for Perfetto or chrome://tracing")
+        ->type_name("FILE");
+    command
+        .add_option("--dump-kernel", dump_kernel,
+                    "Write the kernel's source as it is compiled, its options, binary and build log into this folder")
+        ->type_name("DIR");
     command.add_flag("--strict", strict, "Fail if a sample is NaN or infinite");
     command.add_flag("--quiet", quiet, "No progress, no remarks");
+}
+
+device::Device RenderOptions::open_device() const {
+    device::Device opened = device::open_device(device);
+    opened.kernel_folder = kernels;
+    opened.dump_folder = dump_kernel;
+    return opened;
 }
 
 void RenderOptions::apply(scene::Scene &target) const {

@@ -6,16 +6,20 @@
 
 namespace nacre::app {
 
-/// The command line of `nacre render`.
+/// The command line of `nacre render`, and that part of it that `nacre profile` has too.
 struct RenderOptions {
     SceneOptions scene;
-    std::string output, size, crop, device, kernels, stats;
+    std::string output, size, crop, device, kernels, dump_kernel, stats, trace;
     std::optional<std::string> aov;
     std::optional<std::uint32_t> spp, seed;
     bool generic = false, strict = false, quiet = false;
 
     void add_to(CLI::App &command);
+    /// What is rendered and on what: SCENE, --set, --spp, --size, --seed, --device, --kernels, --generic.
+    void add_common_to(CLI::App &command);
 
+    /// Throws Error{Exit::device}.
+    device::Device open_device() const;
     /// Writes spp, seed and size into the scene, which they override.
     void apply(scene::Scene &scene) const;
     /// Layers by --aov; without it all in an EXR, none in a PNG. Throws Error{Exit::usage}, as the next one does.

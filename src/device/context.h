@@ -26,6 +26,7 @@ struct Device {
     cl::Context context;
     cl::CommandQueue queue;
     std::filesystem::path kernel_folder; // --kernels, empty: embedded
+    std::filesystem::path dump_folder;   // --dump-kernel, empty: none; programs are then always compiled
 };
 
 /// Opens by index ("0"), type ("cpu", "gpu"), or part of the device's or platform's name; empty: NACRE_DEVICE, then a

@@ -1,5 +1,6 @@
 #include "device/program.h"
 #include "device/cache.h"
+#include "device/dump.h"
 #include "device/error.h"
 #include "device/source.h"
 #include <chrono>
@@ -29,6 +30,11 @@ cl::Program compile(const Device &device, const std::string &source, const std::
     return program;
 }
 
+std::vector<unsigned char> binary_of(const cl::Program &program) {
+    const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+    return binaries.empty() ? std::vector<unsigned char>{} : binaries.front();
+}
+
 /// A binary is only a hint: whatever is wrong with it, the source is compiled instead.
 bool load(const Device &device, const std::string &key, const std::string &options, cl::Program &program) {
     const auto binary = load_binary(key);
@@ -46,10 +52,11 @@ bool load(const Device &device, const std::string &key, const std::string &optio
 
 std::string options(const Device &device, const Variant &variant) {
     return fmt::format("-cl-std=CL1.2 -DFEATURES={:#x}u{} -DBVH_WIDTH={} -DBVH_VECTOR={} -DBVH_STACK={} -DLANES={} "
-                       "-DWORK_GROUP={}{}{}",
+                       "-DWORK_GROUP={}{}{}{}{}{}",
                        variant.features, variant.generic ? " -DGENERIC" : "", device.quirks.bvh_width,
                        int(device.quirks.bvh_vector), variant.bvh_stack, variant.lanes, device.quirks.work_group,
-                       variant.extra.empty() ? "" : " ", variant.extra);
+                       variant.profile ? " -DPROFILE" : "", device.quirks.options.empty() ? "" : " ",
+                       device.quirks.options, variant.extra.empty() ? "" : " ", variant.extra);
 }
 
 Program build(const Device &device, const Variant &variant) {
@@ -58,14 +65,18 @@ Program build(const Device &device, const Variant &variant) {
     Program result;
     begin_compiling();
     result.hash = cache_key(device, flags, source);
-    if (device.quirks.binary_cache) result.cached = load(device, result.hash, flags, result.program);
+    const bool dump = !device.dump_folder.empty();
+    if (dump) dump_source(device.dump_folder, variant.entry, source, flags);
+    if (device.quirks.binary_cache && !dump) result.cached = load(device, result.hash, flags, result.program);
     if (!result.cached) {
         result.program = compile(device, source, flags);
         if (device.quirks.binary_cache) {
-            const auto binaries = result.program.getInfo<CL_PROGRAM_BINARIES>();
-            if (!binaries.empty() && !binaries.front().empty()) store_binary(result.hash, binaries.front());
+            const auto binary = binary_of(result.program);
+            if (!binary.empty()) store_binary(result.hash, binary);
         }
     }
+    result.log = result.program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.info.device);
+    if (dump) dump_result(device.dump_folder, variant.entry, binary_of(result.program), result.log);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }

@@ -11,6 +11,7 @@ struct Variant {
     bool generic = false;            // everything compiled in, Frame.features decides at run time
     std::uint32_t bvh_stack = 64;    // entries of the traversal stack
     int lanes = 1;                   // walks side by side in one work-item
+    bool profile = false;            // counts what shared/counters.h lists under PROFILE_LIST
     std::string extra;               // further options, for probes
 };
 
@@ -20,6 +21,7 @@ std::string options(const Device &device, const Variant &variant);
 struct Program {
     cl::Program program;
     std::string hash;   // of source, options, device and driver: the same text, the same program
+    std::string log;    // what the compiler said, often nothing
     double seconds = 0; // to build or load
     bool cached = false;
 };

@@ -19,9 +19,7 @@ struct Row {
     const char *reason;
 };
 
-} // namespace
-
-Quirks quirks_of(const DeviceInfo &info) {
+Quirks quirks_of_platform(const DeviceInfo &info) {
     const int width = host_vector_width();
     const Row rows[] = {
         {"Portable Computing Language",
@@ -43,6 +41,16 @@ Quirks quirks_of(const DeviceInfo &info) {
     if (info.type & CL_DEVICE_TYPE_CPU)
         return {.bvh_width = width, .bvh_vector = true, .lanes = width, .work_group = 1, .binary_cache = true};
     return {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 64, .binary_cache = true};
+}
+
+} // namespace
+
+Quirks quirks_of(const DeviceInfo &info) {
+    Quirks quirks = quirks_of_platform(info);
+    // NVIDIA's compiler then writes into the build log how many registers a kernel takes and what it spills.
+    if (info.device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_nv_compiler_options") != std::string::npos)
+        quirks.options = "-cl-nv-verbose";
+    return quirks;
 }
 
 } // namespace nacre::device

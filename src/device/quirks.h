@@ -10,6 +10,7 @@ struct Quirks {
     int lanes = 1;            // walks side by side in a work-item: 16, 8, 4, or 1 where work-items are lanes already
     int work_group = 64;      // the one work-group size of every kernel
     bool binary_cache = true; // keep program binaries of our own
+    std::string options = {}; // of its compiler alone
 };
 
 struct DeviceInfo;

@@ -80,4 +80,10 @@ void AtomicFile::fail(int error) const {
     throw Error(Exit::output, file.string(), "cannot be written, " + message);
 }
 
+void write_text(const std::filesystem::path &name, const std::string &text) {
+    AtomicFile file(name);
+    file.write(text.data(), text.size(), 0);
+    file.commit();
+}
+
 } // namespace nacre::io

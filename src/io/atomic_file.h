@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <string>
 
 namespace nacre::io {
 
@@ -24,5 +25,8 @@ class AtomicFile {
     std::filesystem::path file, temporary;
     int descriptor = -1;
 };
+
+/// Writes a whole AtomicFile.
+void write_text(const std::filesystem::path &name, const std::string &text);
 
 } // namespace nacre::io

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "device/cache.h"
 #include "device/error.h"
+#include "device/kernel_info.h"
 #include "render/layout.h"
 #include "render/tracer.h"
 #include "scene/features.h"
@@ -53,29 +54,38 @@ struct Session::Impl {
     DeviceScene scene;
     device::Program program;
     Film film;
+    Timeline *timeline;
+    device::Recorder recorder;
     std::unique_ptr<Tracer> tracer;
     std::uint32_t batch_size = first_batch;
     std::uint32_t full_width, full_height;
     std::uint32_t taken = 0; // samples that every pixel has
 
     Impl(device::Device opened, const scene::Scene &source, const Options &options)
-        : device(with_lanes(std::move(opened), source.lanes)), layers(options.layers), crop(crop_that_fits(options, source, device)),
-          planes(layers.surface() ? FILM_PLANES : FILM_ALBEDO), film(crop, planes),
+        : device(with_lanes(std::move(opened), source.lanes)), layers(options.layers),
+          crop(crop_that_fits(options, source, device)), planes(layers.surface() ? FILM_PLANES : FILM_ALBEDO),
+          film(crop, planes), timeline(options.timeline), recorder(timeline),
           full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
-        scene = upload(device, source, scene::features(source, layers.surface()), crop);
+        scene = upload(device, source, scene::features(source, layers.surface()), crop, timeline);
         const std::uint32_t features = scene.frame.features; // with those that only the geometry shows
         device::Variant variant;
         variant.features = options.generic ? std::uint32_t(FEATURE_ALL) : features;
         variant.generic = options.generic;
         variant.bvh_stack = scene.bvh_stack;
         variant.lanes = device.quirks.lanes;
-        program = device::build(device, variant);
-        check_layout(device, program);
-        tracer =
-            std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
-                                     std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)));
-        statistics.build = scene.build_seconds;
-        statistics.compile = program.seconds;
+        variant.profile = options.profile;
+        {
+            const Span span(timeline, "compile");
+            program = device::build(device, variant);
+        }
+        check_layout(device, program, recorder);
+        tracer = std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
+                                          std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)),
+                                          options.profile, recorder);
+        statistics.startup = scene.startup;
+        statistics.startup.compile = program.seconds;
+        statistics.profiled = options.profile;
+        statistics.lanes = variant.lanes;
         statistics.device = device.info.name;
         statistics.program_options = device::options(device, variant);
         statistics.generic = options.generic;
@@ -94,8 +104,8 @@ struct Session::Impl {
             try {
                 const Clock::time_point launched = Clock::now();
                 statistics.sampling += tracer->trace({begin, pixels, first, count, 0, 0, 0, 0});
-                if (statistics.first_pixel == 0) {
-                    statistics.first_pixel = since(start);
+                if (statistics.startup.first_pixel == 0) {
+                    statistics.startup.first_pixel = since(start);
                     device::finish_compiling();
                 } else {
                     adapt(since(launched), pixels * count);
@@ -116,6 +126,7 @@ struct Session::Impl {
     }
 
     bool render(std::uint32_t spp, const std::function<void(const Progress &)> &report, const std::atomic<bool> *stop) {
+        const Span span(timeline, "render");
         const Clock::time_point began = Clock::now();
         const double inside =
             double(crop.width()) * crop.height() / film.pixels(); // share of pixels that are in the crop
@@ -142,6 +153,7 @@ struct Session::Impl {
             if (!stopped) taken = sample;
             if (stopped || sample == spp || sample % FILM_BLOCK == 0) film.add(tracer->take_film());
         }
+        recorder.settle();
         return !stopped;
     }
 };
@@ -184,6 +196,16 @@ Statistics Session::statistics() const {
     Statistics statistics = impl->statistics;
     statistics.samples = impl->film.total_samples();
     statistics.total = since(impl->start);
+    statistics.startup.code_generation = impl->recorder.code_generation();
+    for (const device::KernelInfo &info : device::kernel_infos(impl->device, impl->program)) {
+        Statistics::Kernel &kernel = statistics.kernels.emplace_back();
+        kernel.compiled = info;
+        for (const device::Recorder::Kernel &ran : impl->recorder.kernels())
+            if (ran.name == info.name) {
+                kernel.launches = ran.launches;
+                kernel.seconds = ran.seconds;
+            }
+    }
     if (statistics[COUNTER_non_finite] > 0) {
         const std::uint64_t pixel = statistics.bad_pixel_x - 1; // the kernel stores the pixel's number + 1
         statistics.bad_pixel_x = pixel % impl->full_width;

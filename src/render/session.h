@@ -13,6 +13,8 @@ struct Options {
     Layers layers;
     Crop crop; // empty: the whole image
     bool generic = false;
+    bool profile = false;         // kernels that count what is in shared/counters.h under PROFILE_LIST
+    Timeline *timeline = nullptr; // gets what is done from here on, if there is one; must outlive the session
 };
 
 /// How far a render is.

@@ -1,6 +1,5 @@
 #include "render/statistics.h"
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace nacre::render {
 
@@ -10,39 +9,10 @@ std::uint64_t Statistics::rays() const {
     return counters[COUNTER_rays] + counters[COUNTER_shadow_rays] + counters[COUNTER_walk_rays];
 }
 
-std::string Statistics::json() const {
-    static constexpr const char *names[] = {
-#define COUNTER_NAME(name) #name,
-        COUNTER_LIST(COUNTER_NAME)
-#undef COUNTER_NAME
-    };
-    nlohmann::ordered_json document;
-    document["load_s"] = load;
-    document["build_s"] = build;
-    document["compile_s"] = compile;
-    document["first_pixel_s"] = first_pixel;
-    document["sampling_s"] = sampling;
-    document["total_s"] = total;
-    document["samples"] = samples;
-    document["device"] = device;
-    document["generic"] = generic;
-    document["options"] = program_options;
-    document["features"] = features;
-    std::size_t bytes = 0;
-    for (const auto &[name, size] : memory) {
-        document["memory"][name] = size;
-        bytes += size;
-    }
-    document["memory"]["total"] = bytes;
-    for (int i = 0; i < COUNTER_COUNT; ++i) document["counters"][names[i]] = counters[i];
-    document["counters"]["capped_energy"] = double(counters[COUNTER_capped_energy]) / COUNTER_ENERGY;
-    if (counters[COUNTER_non_finite] > 0)
-        document["first_non_finite"] = {{"x", bad_pixel_x},
-                                        {"y", bad_pixel_y},
-                                        {"sample", bad_sample},
-                                        {"vertex", bad_step >> 24},
-                                        {"step", bad_step & 0xffffff}};
-    return document.dump(2) + "\n";
+double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
+double Statistics::lane_occupancy() const {
+    return ratio(double(profile[PROFILE_lane_active]), double(profile[PROFILE_lane_turns]) * lanes);
 }
 
 std::vector<std::string> Statistics::remarks() const {

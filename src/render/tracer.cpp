@@ -18,13 +18,15 @@ cl::Buffer make(const device::Device &device, std::size_t bytes) {
 } // namespace
 
 Tracer::Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-               std::uint32_t planes, std::uint32_t film_pixels, std::uint32_t capacity)
-    : device(device), trace_kernel(program.program, "trace_paths"), accumulate_kernel(program.program, "accumulate"),
+               std::uint32_t planes, std::uint32_t film_pixels, std::uint32_t capacity, bool profile,
+               device::Recorder &recorder)
+    : device(device), recorder(recorder), trace_kernel(program.program, "trace_paths"),
+      accumulate_kernel(program.program, "accumulate"),
       workers(device.quirks.lanes > 1 ? device.info.compute_units : 0),
       suspended_capacity(workers > 0                                   ? workers * POOL_PATHS
                          : scene.frame.features & FEATURE_SUBSURFACE ? capacity / 4
                                                                      : 1),
-      counted(COUNTER_WORDS) {
+      counted(profile ? PROFILE_WORDS : COUNTER_WORDS) {
     radiance_bytes = std::size_t(capacity) * sizeof(float4);
     layer_bytes = planes > FILM_ALBEDO ? 2 * radiance_bytes : 0;
     film_bytes = std::size_t(film_pixels) * planes * sizeof(float4);
@@ -33,11 +35,11 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     radiance = make(device, radiance_bytes);
     layers = make(device, layer_bytes);
     film = make(device, film_bytes);
-    counters = make(device, COUNTER_WORDS * sizeof(uint));
+    counters = make(device, counted.size() * sizeof(uint));
     pool = make(device, pool_bytes);
     for (cl::Buffer &buffer : paths) buffer = make(device, path_bytes);
     device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes);
-    device.queue.enqueueFillBuffer(counters, 0u, 0, COUNTER_WORDS * sizeof(uint));
+    device.queue.enqueueFillBuffer(counters, 0u, 0, counted.size() * sizeof(uint));
     scene_arguments = scene.bind(trace_kernel);
     trace_kernel.setArg(scene_arguments + 1, radiance);
     trace_kernel.setArg(scene_arguments + 2, layers);
@@ -52,11 +54,11 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
 
 double Tracer::launch(cl::Kernel &kernel, std::size_t items) {
     const std::size_t group = std::size_t(device.quirks.work_group), global = (items + group - 1) / group * group;
+    const auto enqueued = device::Recorder::Clock::now();
     cl::Event event;
     device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(group), nullptr, &event);
     event.wait();
-    return 1e-9 * double(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                         event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+    return recorder.launched(kernel, event, enqueued);
 }
 
 double Tracer::trace(Batch batch) {
@@ -68,13 +70,15 @@ double Tracer::trace(Batch batch) {
     for (int turn = 0; items > 0; turn ^= 1) {
         constexpr uint none[] = {0, 0}; // suspended, and next
         static_assert(COUNTER_NEXT == COUNTER_SUSPENDED + 1);
-        device.queue.enqueueWriteBuffer(counters, false, COUNTER_SUSPENDED * sizeof(uint), sizeof none, none);
+        device.queue.enqueueWriteBuffer(counters, false, COUNTER_SUSPENDED * sizeof(uint), sizeof none, none, nullptr,
+                                        recorder.copy("write suspended"));
         trace_kernel.setArg(scene_arguments, batch);
         trace_kernel.setArg(scene_arguments + 3, paths[turn]);
         trace_kernel.setArg(scene_arguments + 4, paths[turn ^ 1]);
         seconds += launch(trace_kernel, workers > 0 ? workers : items);
         uint suspended = 0;
-        device.queue.enqueueReadBuffer(counters, true, COUNTER_SUSPENDED * sizeof(uint), sizeof suspended, &suspended);
+        device.queue.enqueueReadBuffer(counters, true, COUNTER_SUSPENDED * sizeof(uint), sizeof suspended, &suspended,
+                                       nullptr, recorder.copy("read suspended"));
         batch.resumed = std::min(suspended, suspended_capacity);
         items = batch.resumed;
     }
@@ -85,14 +89,22 @@ double Tracer::trace(Batch batch) {
 
 std::vector<float4> Tracer::take_film() {
     std::vector<float4> sums(film_bytes / sizeof(float4));
-    device.queue.enqueueReadBuffer(film, true, 0, film_bytes, sums.data());
-    device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes);
+    device.queue.enqueueReadBuffer(film, true, 0, film_bytes, sums.data(), nullptr, recorder.copy("read film"));
+    device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes, nullptr, recorder.copy("clear film"));
     return sums;
 }
 
 void Tracer::take_counters(Statistics &statistics) {
-    device.queue.enqueueReadBuffer(counters, true, 0, counted.size() * sizeof(uint), counted.data());
-    device.queue.enqueueFillBuffer(counters, 0u, 0, COUNTER_TAIL * sizeof(uint)); // the first bad sample stays
+    device.queue.enqueueReadBuffer(counters, true, 0, counted.size() * sizeof(uint), counted.data(), nullptr,
+                                   recorder.copy("read counters"));
+    device.queue.enqueueFillBuffer(counters, 0u, 0, COUNTER_TAIL * sizeof(uint), nullptr, // the first bad sample stays
+                                   recorder.copy("clear counters"));
+    if (counted.size() == PROFILE_WORDS) {
+        device.queue.enqueueFillBuffer(counters, 0u, PROFILE_TAIL * sizeof(uint),
+                                       (PROFILE_WORDS - PROFILE_TAIL) * sizeof(uint), nullptr,
+                                       recorder.copy("clear profile"));
+        statistics.profile.add(counted);
+    }
     for (int slice = 0; slice < COUNTER_SLICES; ++slice)
         for (int i = 0; i < COUNTER_COUNT; ++i) statistics.counters[i] += counted[slice * COUNTER_STRIDE + i];
     statistics.bad_sample = counted[COUNTER_BAD_SAMPLE];

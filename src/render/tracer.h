@@ -1,5 +1,6 @@
 #pragma once
 #include "device/program.h"
+#include "device/recorder.h"
 #include "render/statistics.h"
 #include "render/upload.h"
 #include "shared/path.h"
@@ -11,7 +12,7 @@ class Tracer {
   public:
     /// `capacity`: most paths of a batch.
     Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene, std::uint32_t planes,
-           std::uint32_t film_pixels, std::uint32_t capacity);
+           std::uint32_t film_pixels, std::uint32_t capacity, bool profile, device::Recorder &recorder);
 
     /// Traces a batch to its end (suspended paths included) and adds it to the film. Throws cl::Error; after one that
     /// says "out of resources" the batch may be tried again in smaller parts. Returns the seconds of its kernels.
@@ -28,6 +29,7 @@ class Tracer {
 
   private:
     const device::Device &device;
+    device::Recorder &recorder;
     cl::Kernel trace_kernel, accumulate_kernel;
     cl_uint scene_arguments;
     std::uint32_t workers; // work-items of a launch that take paths as they can; 0: one path each

@@ -4,7 +4,7 @@
 #include "render/camera.h"
 #include "render/convert.h"
 #include <bit>
-#include <chrono>
+#include <optional>
 #include <xxhash.h>
 
 namespace nacre::render {
@@ -89,13 +89,18 @@ cl_uint DeviceScene::bind(cl::Kernel &kernel) const {
     return index;
 }
 
-DeviceScene upload(const device::Device &device, const scene::Scene &scene, std::uint32_t features, const Crop &crop) {
+DeviceScene upload(const device::Device &device, const scene::Scene &scene, std::uint32_t features, const Crop &crop,
+                   Timeline *timeline) {
     DeviceScene out;
     const scene::Frame units = scene::frame_of(scene);
-    const auto start = std::chrono::steady_clock::now();
-    Geometry geometry = build_geometry(scene, units, features, device.quirks.bvh_width);
-    out.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const LightSet lights = build_lights(scene, units);
+    const auto timed = [&](const char *name, double &seconds, auto &&work) {
+        const Span span(timeline, name, &seconds);
+        return work();
+    };
+    Geometry geometry = timed("build BVH", out.startup.bvh,
+                              [&] { return build_geometry(scene, units, features, device.quirks.bvh_width); });
+    const LightSet lights = timed("lights", out.startup.lights, [&] { return build_lights(scene, units); });
+    std::optional<Span> uploading(std::in_place, timeline, "upload", &out.startup.upload);
     for (std::size_t i = 0; i < geometry.objects.size(); ++i) geometry.objects[i].first_light = lights.first_light[i];
     out.unit = lights.unit;
     out.length = units.size;
@@ -145,6 +150,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("environment", lights.environment);
     uploader.add("clearance", geometry.clearance);
     out.hash = fmt::format("{:016x}", uploader.hash);
+    uploading.reset();
     return out;
 }
 

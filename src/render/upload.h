@@ -1,7 +1,9 @@
 #pragma once
+#include "base/timeline.h"
 #include "device/context.h"
 #include "render/geometry.h"
 #include "render/lights.h"
+#include "render/statistics.h"
 #include "scene/scene.h"
 #include <string>
 #include <vector>
@@ -29,12 +31,13 @@ struct DeviceScene {
     double unit = 1;   // film -> radiance
     double length = 1; // kernels' lengths -> scene units
     std::uint32_t bvh_stack = 0;
-    double build_seconds = 0; // of the BVH
+    Startup startup; // what of it was spent here
 
     /// Sets the scene's arguments of a kernel; returns the index of the next one.
     cl_uint bind(cl::Kernel &kernel) const;
 };
 
-DeviceScene upload(const device::Device &device, const scene::Scene &scene, std::uint32_t features, const Crop &crop);
+DeviceScene upload(const device::Device &device, const scene::Scene &scene, std::uint32_t features, const Crop &crop,
+                   Timeline *timeline = nullptr);
 
 } // namespace nacre::render

@@ -6,7 +6,8 @@ namespace nacre {
 namespace {
 
 TEST_F(Cli, HelpOfEveryCommandHasExamples) {
-    for (const std::vector<std::string> &command : {std::vector<std::string>{}, {"render"}, {"devices"}, {"check"}}) {
+    for (const std::vector<std::string> &command :
+         {std::vector<std::string>{}, {"render"}, {"devices"}, {"check"}, {"profile"}}) {
         std::vector<std::string> arguments = command;
         arguments.push_back("--help");
         const Outcome help = run(arguments);
