@@ -1,4 +1,4 @@
-// Reads one element per lane. Spelled out, element by element, PoCL makes one gather instruction of it where there is one.
+// Reads one element per lane. Spelled out element by element, PoCL makes one gather instruction of it, where there is any.
 #ifndef NACRE_LANES_GATHER_H
 #define NACRE_LANES_GATHER_H
 

@@ -1,8 +1,8 @@
-// Clearance field of one object: per cell of a grid one byte, a lower bound on the distance from the cell's centre to the
-// object's surface. Lengths are in the kernels' units.
+// Clearance field of one object: per cell of a grid one byte, a lower bound on the distance from the cell's centre to
+// the object's surface. Lengths are in the kernels' units.
 //
-// Cells lie in bricks of 4 x 4 x 4, 64 bytes each and so one cache line; bricks and the cells in them count x first, then
-// y, then z. The byte c of a cell says: distance >= unit * c * c, finer near the surface, where steps are short.
+// Cells lie in bricks of 4 x 4 x 4, 64 bytes each and so one cache line; bricks and the cells in them count x first,
+// then y, then z. The byte c of a cell says: distance >= unit * c * c, finer near the surface, where steps are short.
 #ifndef NACRE_SHARED_CLEARANCE_H
 #define NACRE_SHARED_CLEARANCE_H
 

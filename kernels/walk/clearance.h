@@ -42,8 +42,8 @@ real clearance_cell(real x, real corner, real inverse_edge, real last) {
     return trunc(pick(above < last, above, last));
 }
 
-// A lower bound, >= 0, on the distance of any point to the surface. It holds beyond the grid as well (triangle inequality
-// about the centre of the nearest cell), and is 0 for points that are not finite and lanes without a field.
+// A lower bound, >= 0, on the distance of any point to the surface. It holds beyond the grid as well (triangle
+// inequality about the centre of the nearest cell), and is 0 for points that are not finite and lanes without a field.
 real clearance_at(global const uint *field, const ClearanceLanes *c, real x, real y, real z) {
     const real cell_x = clearance_cell(x, c->corner_x, c->inverse_edge, c->last_x);
     const real cell_y = clearance_cell(y, c->corner_y, c->inverse_edge, c->last_y);
