@@ -1,5 +1,7 @@
-// Elementary functions over lanes, because PoCL's are calls lane by lane. Without branches and tables: every lane does the
-// same few operations, explicit ones (fma, no contraction), so that a lane's result is the same to the bit for any LANES.
+// Elementary functions over lanes. PoCL's built-ins (SLEEF) are vectors too, for a float8 or float16, but slower: exp little,
+// log and log1p several times, expm1 and sincos about ten times at 8 lanes; and nothing promises that scalars and vectors
+// agree. Here every lane does the same few operations, explicit ones (fma, no contraction), without branches and tables, so
+// that a lane's result is the same to the bit for any LANES.
 // Errors are over all floats, in units of the last place, by tests/device/lanes_math.cpp. Polynomials are minimax in
 // relative error (Lawson's iteration), their coefficients rounded to float one after the other, lowest first.
 #ifndef NACRE_LANES_MATH_H
@@ -77,7 +79,7 @@ real lane_expm1(real x) {
 
 // sin and cos of 2 pi u for u in [0, 1]. Argument reduction is exact in turns, the number of quarters rounded as in
 // exp_reduced; polynomials on [-pi/4, pi/4] from Moshier's Cephes (sinf, cosf): within 2 ulp. In place of sincos(), which
-// takes a pointer and is scalar in PoCL. Once over scalars, for surfaces, and once over lanes where those are vectors.
+// takes a pointer. Once over scalars, for surfaces, and once over lanes where those are vectors.
 #define DEFINE_SINCOS(name, R, W, AS_WHOLE, PICK)                                                                      \
     void name(R u, R *s, R *c) {                                                                                       \
         const R shifted = fma(u, (R)(4.0f), (R)(0x1.8p+23f)), quarter = shifted - 0x1.8p+23f;                          \
