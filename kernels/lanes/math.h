@@ -27,7 +27,7 @@ natural log_exponent(real x) { return (as_natural(x) - 0x3f2aaaabu) & 0xff800000
 // e log(2) + y, with e as log_exponent gives it: a signed number, 2^23 times too large.
 real log_sum(natural e, real y) { return fma(to_real(as_whole(e)), (real)(0x1.62e43p-24f), y); }
 
-// Within 1.1 ulp. 0 gives -inf, inf gives inf, below 0 and NaN give NaN; a denormal number gives what some number from
+// Within 1.2 ulp. 0 gives -inf, inf gives inf, below 0 and NaN give NaN; a denormal number gives what some number from
 // FLT_MIN / 2 to FLT_MIN does, or -inf where the device takes it for 0.
 real lane_log(real x) {
     const natural e = log_exponent(x);
@@ -36,7 +36,7 @@ real lane_log(real x) {
     return pick(x < INFINITY, finite, x);
 }
 
-// log(1 + x) for x in (-1, inf], within 1.9 ulp; NaN gives NaN. The exponent is that of 1 + x rounded, but x goes into the
+// log(1 + x) for x in (-1, inf], within 2 ulp; NaN gives NaN. The exponent is that of 1 + x rounded, but x goes into the
 // series unrounded, as x 2^-e + (2^-e - 1): a tiny x keeps its digits. (0x40800000 - e is 4 2^-e: 2^-128 is no normal float.)
 real lane_log1p(real x) {
     const natural e = log_exponent(1.0f + x);
@@ -68,7 +68,7 @@ real lane_exp(real x) {
     return pick(x < EXP_OVERFLOW, y, x + INFINITY);
 }
 
-// exp(x) - 1 = 2^n p + (2^n - 1), within 1.6 ulp; above FLT_MAX inf; NaN gives NaN. Halves, as 2^128 is no float. -17.5 and
+// exp(x) - 1 = 2^n p + (2^n - 1), within 1.7 ulp; above FLT_MAX inf; NaN gives NaN. Halves, as 2^128 is no float. -17.5 and
 // what is below give -1, the nearest float.
 real lane_expm1(real x) {
     natural exponent;
