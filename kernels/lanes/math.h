@@ -1,5 +1,7 @@
-// Elementary functions over lanes, because PoCL's are calls lane by lane. Without branches and tables: every lane does the
-// same few operations, explicit ones (fma, no contraction), so that a lane's result is the same to the bit for any LANES.
+// Elementary functions over lanes. PoCL's built-ins (SLEEF) are vectors too, for a float8 or float16, but slower: exp little,
+// log and log1p several times, expm1 and sincos about ten times at 8 lanes; and nothing promises that scalars and vectors
+// agree. Here every lane does the same few operations, explicit ones (fma, no contraction), without branches and tables, so
+// that a lane's result is the same to the bit for any LANES.
 // Errors are over all floats, in units of the last place, by tests/device/lanes_math.cpp. Polynomials are minimax in
 // relative error (Lawson's iteration), their coefficients rounded to float one after the other, lowest first.
 #ifndef NACRE_LANES_MATH_H
@@ -25,7 +27,7 @@ natural log_exponent(real x) { return (as_natural(x) - 0x3f2aaaabu) & 0xff800000
 // e log(2) + y, with e as log_exponent gives it: a signed number, 2^23 times too large.
 real log_sum(natural e, real y) { return fma(to_real(as_whole(e)), (real)(0x1.62e43p-24f), y); }
 
-// Within 1.1 ulp. 0 gives -inf, inf gives inf, below 0 and NaN give NaN; a denormal number gives what some number from
+// Within 1.2 ulp. 0 gives -inf, inf gives inf, below 0 and NaN give NaN; a denormal number gives what some number from
 // FLT_MIN / 2 to FLT_MIN does, or -inf where the device takes it for 0.
 real lane_log(real x) {
     const natural e = log_exponent(x);
@@ -34,7 +36,7 @@ real lane_log(real x) {
     return pick(x < INFINITY, finite, x);
 }
 
-// log(1 + x) for x in (-1, inf], within 1.9 ulp; NaN gives NaN. The exponent is that of 1 + x rounded, but x goes into the
+// log(1 + x) for x in (-1, inf], within 2 ulp; NaN gives NaN. The exponent is that of 1 + x rounded, but x goes into the
 // series unrounded, as x 2^-e + (2^-e - 1): a tiny x keeps its digits. (0x40800000 - e is 4 2^-e: 2^-128 is no normal float.)
 real lane_log1p(real x) {
     const natural e = log_exponent(1.0f + x);
@@ -66,7 +68,7 @@ real lane_exp(real x) {
     return pick(x < EXP_OVERFLOW, y, x + INFINITY);
 }
 
-// exp(x) - 1 = 2^n p + (2^n - 1), within 1.6 ulp; above FLT_MAX inf; NaN gives NaN. Halves, as 2^128 is no float. -17.5 and
+// exp(x) - 1 = 2^n p + (2^n - 1), within 1.7 ulp; above FLT_MAX inf; NaN gives NaN. Halves, as 2^128 is no float. -17.5 and
 // what is below give -1, the nearest float.
 real lane_expm1(real x) {
     natural exponent;
@@ -77,7 +79,7 @@ real lane_expm1(real x) {
 
 // sin and cos of 2 pi u for u in [0, 1]. Argument reduction is exact in turns, the number of quarters rounded as in
 // exp_reduced; polynomials on [-pi/4, pi/4] from Moshier's Cephes (sinf, cosf): within 2 ulp. In place of sincos(), which
-// takes a pointer and is scalar in PoCL. Once over scalars, for surfaces, and once over lanes where those are vectors.
+// takes a pointer. Once over scalars, for surfaces, and once over lanes where those are vectors.
 #define DEFINE_SINCOS(name, R, W, AS_WHOLE, PICK)                                                                      \
     void name(R u, R *s, R *c) {                                                                                       \
         const R shifted = fma(u, (R)(4.0f), (R)(0x1.8p+23f)), quarter = shifted - 0x1.8p+23f;                          \

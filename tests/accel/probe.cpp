@@ -37,7 +37,7 @@ void RayProbe::upload(std::uint32_t tree, std::span<const ProbeRay> list) {
     results = cl::Buffer(device.context, CL_MEM_WRITE_ONLY, count * sizeof(ProbeHit));
 }
 
-void RayProbe::run(const char *name) {
+double RayProbe::run(const char *name) {
     cl::Kernel kernel(program, name);
     kernel.setArg(0, rays);
     kernel.setArg(1, results);
@@ -47,8 +47,12 @@ void RayProbe::run(const char *name) {
     kernel.setArg(5, static_cast<cl_uint>(count));
     if (std::string_view(name) == "probe_bounce") kernel.setArg(6, directions);
     const std::size_t local = device.quirks.work_group, items = (count + rays_per_item - 1) / rays_per_item;
-    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, (items + local - 1) / local * local, local);
-    device.queue.finish();
+    cl::Event event;
+    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, (items + local - 1) / local * local, local, nullptr,
+                                      &event);
+    event.wait();
+    return 1e-9 * double(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                         event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
 }
 
 template <typename T> std::vector<T> RayProbe::read() const {

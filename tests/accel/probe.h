@@ -42,13 +42,13 @@ class RayProbe {
     std::vector<ProbeBounce> bounce(std::uint32_t root, std::span<const ProbeRay> rays,
                                     std::span<const Vec3f> directions);
 
-    /// In steps, for measuring: upload once, run (and wait) as often as needed.
+    /// In steps, for measuring: upload once, run (and wait) as often as needed; returns the device's seconds.
     void upload(std::uint32_t root, std::span<const ProbeRay> rays);
-    void run_closest() { run("probe_closest"); }
+    double run_closest() { return run("probe_closest"); }
     std::vector<ProbeHit> hits() const;
 
   private:
-    void run(const char *kernel);
+    double run(const char *kernel);
     template <typename T> std::vector<T> read() const;
 
     device::Device device;
