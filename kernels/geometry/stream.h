@@ -39,7 +39,7 @@ ALWAYS_INLINE void prefetch_child(global const float *nodes, global const float 
                                 ? blocks + (size_t)(child & BVH_LEAF_FIRST_MASK) * (BVH_BLOCK_ROWS * BVH_WIDTH)
                                 : nodes + (size_t)child * (BVH_NODE_ROWS * BVH_WIDTH);
 #pragma unroll
-    for (uint at = 0; at < 7u * BVH_WIDTH; at += 16u) PREFETCH_LINE(p + at);
+    for (uint at = 0; at < 9u * BVH_WIDTH; at += 16u) PREFETCH_LINE(p + at);
 }
 
 // One visit of ray i. False: it has all it wants.
