@@ -64,10 +64,12 @@ struct Session::Impl {
         variant.generic = options.generic;
         variant.bvh_stack = scene.bvh_stack;
         program = device::build(device, variant);
-        check_layout(device, program);
         tracer =
             std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
                                      std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)));
+        // Last: Oclgrind takes a buffer that comes in the place of a released one to be initialised no further than
+        // that was.
+        check_layout(device, program);
         statistics.build = scene.build_seconds;
         statistics.compile = program.seconds;
         statistics.device = device.info.name;
