@@ -14,7 +14,7 @@ int host_vector_width() {
 }
 
 struct Row {
-    const char *platform; // part of the platform's name
+    const char *name; // part of the platform's name or the device's
     Quirks quirks;
     const char *reason;
 };
@@ -29,15 +29,15 @@ Quirks quirks_of_platform(const DeviceInfo &info) {
         {"Oclgrind",
          {.bvh_width = 8, .bvh_vector = true, .lanes = 1, .work_group = 1, .binary_cache = false},
          "False alarms on 16 wide vectors; has no binaries."},
-        {"rusticl",
+        {"llvmpipe",
          {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 8, .binary_cache = true},
-         "llvmpipe is fastest with scalar code and groups of 8."},
+         "Mesa's rusticl on the CPU: fastest with scalar code and groups of 8. Its other devices are GPUs like any."},
         {"Intel(R) OpenCL",
          {.bvh_width = width, .bvh_vector = true, .lanes = width, .work_group = 1, .binary_cache = true},
          "A CPU runtime: explicit vectors as on PoCL."},
     };
     for (const Row &row : rows)
-        if (info.platform.find(row.platform) != std::string::npos) return row.quirks;
+        if ((info.platform + '\n' + info.name).find(row.name) != std::string::npos) return row.quirks;
     if (info.type & CL_DEVICE_TYPE_CPU)
         return {.bvh_width = width, .bvh_vector = true, .lanes = width, .work_group = 1, .binary_cache = true};
     return {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 64, .binary_cache = true};

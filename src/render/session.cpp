@@ -78,10 +78,12 @@ struct Session::Impl {
             const Span span(timeline, "compile");
             program = device::build(device, variant);
         }
-        check_layout(device, program, recorder);
         tracer = std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
                                           std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)),
                                           options.profile, recorder);
+        // Last: Oclgrind takes a buffer that comes in the place of a released one to be initialised no further than
+        // that was.
+        check_layout(device, program, recorder);
         statistics.startup = scene.startup;
         statistics.startup.compile = program.seconds;
         statistics.profiled = options.profile;

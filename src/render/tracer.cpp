@@ -38,8 +38,7 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     counters = make(device, counted.size() * sizeof(uint));
     pool = make(device, pool_bytes);
     for (cl::Buffer &buffer : paths) buffer = make(device, path_bytes);
-    device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes);
-    device.queue.enqueueFillBuffer(counters, 0u, 0, counted.size() * sizeof(uint));
+    clear_film();
     scene_arguments = scene.bind(trace_kernel);
     trace_kernel.setArg(scene_arguments + 1, radiance);
     trace_kernel.setArg(scene_arguments + 2, layers);
@@ -67,19 +66,18 @@ double Tracer::trace(Batch batch) {
     batch.budget = step_budget;
     double seconds = 0;
     std::size_t items = std::size_t(batch.pixel_count) * batch.sample_count;
+    const std::size_t counter_bytes = counted.size() * sizeof(uint);
     for (int turn = 0; items > 0; turn ^= 1) {
-        constexpr uint none[] = {0, 0}; // suspended, and next
-        static_assert(COUNTER_NEXT == COUNTER_SUSPENDED + 1);
-        device.queue.enqueueWriteBuffer(counters, false, COUNTER_SUSPENDED * sizeof(uint), sizeof none, none, nullptr,
-                                        recorder.copy("write suspended"));
+        counted[COUNTER_SUSPENDED] = counted[COUNTER_NEXT] = 0;
+        device.queue.enqueueWriteBuffer(counters, false, 0, counter_bytes, counted.data(), nullptr,
+                                        recorder.copy("write counters"));
         trace_kernel.setArg(scene_arguments, batch);
         trace_kernel.setArg(scene_arguments + 3, paths[turn]);
         trace_kernel.setArg(scene_arguments + 4, paths[turn ^ 1]);
         seconds += launch(trace_kernel, workers > 0 ? workers : items);
-        uint suspended = 0;
-        device.queue.enqueueReadBuffer(counters, true, COUNTER_SUSPENDED * sizeof(uint), sizeof suspended, &suspended,
-                                       nullptr, recorder.copy("read suspended"));
-        batch.resumed = std::min(suspended, suspended_capacity);
+        device.queue.enqueueReadBuffer(counters, true, 0, counter_bytes, counted.data(), nullptr,
+                                       recorder.copy("read counters"));
+        batch.resumed = std::min(counted[COUNTER_SUSPENDED], suspended_capacity);
         items = batch.resumed;
     }
     batch.resumed = 0;
@@ -90,26 +88,28 @@ double Tracer::trace(Batch batch) {
 std::vector<float4> Tracer::take_film() {
     std::vector<float4> sums(film_bytes / sizeof(float4));
     device.queue.enqueueReadBuffer(film, true, 0, film_bytes, sums.data(), nullptr, recorder.copy("read film"));
-    device.queue.enqueueFillBuffer(film, 0u, 0, film_bytes, nullptr, recorder.copy("clear film"));
+    clear_film();
     return sums;
 }
 
+void Tracer::clear_film() {
+    // Like the counters, a whole buffer in one write: Oclgrind takes one that was filled, or written in part, for
+    // uninitialised.
+    const std::vector<float4> black(film_bytes / sizeof(float4));
+    device.queue.enqueueWriteBuffer(film, true, 0, film_bytes, black.data(), nullptr, recorder.copy("clear film"));
+}
+
 void Tracer::take_counters(Statistics &statistics) {
-    device.queue.enqueueReadBuffer(counters, true, 0, counted.size() * sizeof(uint), counted.data(), nullptr,
-                                   recorder.copy("read counters"));
-    device.queue.enqueueFillBuffer(counters, 0u, 0, COUNTER_TAIL * sizeof(uint), nullptr, // the first bad sample stays
-                                   recorder.copy("clear counters"));
     if (counted.size() == PROFILE_WORDS) {
-        device.queue.enqueueFillBuffer(counters, 0u, PROFILE_TAIL * sizeof(uint),
-                                       (PROFILE_WORDS - PROFILE_TAIL) * sizeof(uint), nullptr,
-                                       recorder.copy("clear profile"));
         statistics.profile.add(counted);
+        std::fill(counted.begin() + PROFILE_TAIL, counted.end(), 0u);
     }
     for (int slice = 0; slice < COUNTER_SLICES; ++slice)
         for (int i = 0; i < COUNTER_COUNT; ++i) statistics.counters[i] += counted[slice * COUNTER_STRIDE + i];
     statistics.bad_sample = counted[COUNTER_BAD_SAMPLE];
     statistics.bad_step = counted[COUNTER_BAD_STEP];
     statistics.bad_pixel_x = counted[COUNTER_BAD_PIXEL];
+    std::fill_n(counted.begin(), COUNTER_TAIL, 0u); // the first bad sample stays
 }
 
 std::vector<std::pair<std::string, std::size_t>> Tracer::memory() const {

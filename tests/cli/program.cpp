@@ -1,4 +1,5 @@
 #include "cli/program.h"
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -44,10 +45,13 @@ void redirect(const fs::path &file, int descriptor) {
     }
     if (surroundings.obey_modes) prctl(PR_CAPBSET_DROP, 1, 0, 0, 0);
     if (!surroundings.folder.empty() && chdir(surroundings.folder.c_str()) != 0) _exit(126);
-    std::vector<char *> list{const_cast<char *>(NACRE_PROGRAM)};
-    for (const std::string &argument : arguments) list.push_back(const_cast<char *>(argument.c_str()));
+    std::vector<char *> list;
+    const auto say = [&](const std::string &word) { list.push_back(const_cast<char *>(word.c_str())); };
+    std::for_each(surroundings.under.begin(), surroundings.under.end(), say);
+    say(surroundings.program);
+    std::for_each(arguments.begin(), arguments.end(), say);
     list.push_back(nullptr);
-    execv(NACRE_PROGRAM, list.data());
+    execvp(list[0], list.data());
     _exit(127);
 }
 
@@ -104,8 +108,8 @@ bool Program::prints(const std::string &text, double limit) {
     return true;
 }
 
-Outcome run(const std::vector<std::string> &arguments, const Surroundings &surroundings) {
-    return Program(arguments, surroundings).wait();
+Outcome run(const std::vector<std::string> &arguments, const Surroundings &surroundings, double limit) {
+    return Program(arguments, surroundings).wait(limit);
 }
 
 } // namespace nacre

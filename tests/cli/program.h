@@ -10,9 +10,11 @@ namespace nacre {
 /// How the program is started: what differs from this process.
 struct Surroundings {
     std::map<std::string, std::string> environment = {};
-    long largest_file = -1;            // bytes a file may have (RLIMIT_FSIZE), < 0: any
-    bool obey_modes = false;           // root is bound by the modes of files and folders like anybody else
-    std::filesystem::path folder = {}; // working folder, empty: this process's
+    long largest_file = -1;              // bytes a file may have (RLIMIT_FSIZE), < 0: any
+    bool obey_modes = false;             // root is bound by the modes of files and folders like anybody else
+    std::filesystem::path folder = {};   // working folder, empty: this process's
+    std::vector<std::string> under = {}; // a program that runs it, with its options
+    std::string program = NACRE_PROGRAM;
 };
 
 /// What came out.
@@ -47,6 +49,7 @@ class Program {
     bool poll();
 };
 
-Outcome run(const std::vector<std::string> &arguments, const Surroundings &surroundings = {});
+/// `limit` as for Program::wait.
+Outcome run(const std::vector<std::string> &arguments, const Surroundings &surroundings = {}, double limit = 60);
 
 } // namespace nacre
