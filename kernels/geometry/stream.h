@@ -9,10 +9,12 @@
 
 #if STREAM_RAYS == 1
 
-void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, global const float *blocks, bool any) {
+void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, global const float *blocks, bool any
+                  PROFILED(, uint *visits)) {
     if (wanted == 0ul) return;
     const Ray ray = stream_ray(stream, 0u);
-    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, stream->root[0], any);
+    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, stream->root[0],
+                             any PROFILED(, visits));
     stream->t[0] = hit.t;
     stream->block[0] = hit.block;
     stream->slot[0] = hit.slot;
@@ -44,9 +46,10 @@ ALWAYS_INLINE void prefetch_child(global const float *nodes, global const float 
 
 // One visit of ray i. False: it has all it wants.
 ALWAYS_INLINE bool stream_visit(Flying *f, RayStream *stream, const StreamSetup *setup, uint i, global const float *nodes,
-                                global const float *blocks, bool any, uint *stack, float *stack_t) {
+                                global const float *blocks, bool any, uint *stack, float *stack_t PROFILED(, uint *visits)) {
     uint current = f->current;
     if (!(current & BVH_LEAF_BIT)) {
+        PROFILED(visits[0]++;)
         const Slabs slabs = slabs_in(setup, i);
         current = enter_node(&slabs, nodes + (size_t)current * (BVH_NODE_ROWS * BVH_WIDTH), stream->t_min[i], stream->t[i],
                              stack, stack_t, &f->size);
@@ -55,6 +58,7 @@ ALWAYS_INLINE bool stream_visit(Flying *f, RayStream *stream, const StreamSetup 
             return true;
         }
     } else {
+        PROFILED(visits[1] += leaf_blocks(current);)
         const Shear shear = shear_in(setup, i);
         Hit hit;
         hit.t = stream->t[i];
@@ -80,7 +84,8 @@ ALWAYS_INLINE bool stream_visit(Flying *f, RayStream *stream, const StreamSetup 
 // Traces the rays whose bits are set in `wanted`: the closest hits, or with `any` some hit. All are under way at once:
 // starting a ray whenever one ends, so that as many stay under way, cost 10 %. 16 rays at once are 2 % slower than 32, 64
 // no faster.
-void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, global const float *blocks, bool any) {
+void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, global const float *blocks, bool any
+                  PROFILED(, uint *visits)) {
     StreamSetup setup;
     Flying flying[STREAM_RAYS];
     uint stack[STREAM_RAYS][BVH_STACK];
@@ -94,7 +99,8 @@ void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, gl
     for (ulong busy = set_up_stream(&setup, stream, wanted, nodes); busy != 0ul;)
         for (ulong turn = busy; turn != 0ul; turn &= turn - 1ul) {
             const uint i = lowest_bit64(turn);
-            if (stream_visit(&flying[i], stream, &setup, i, nodes, blocks, any, stack[i], stack_t[i]))
+            if (stream_visit(&flying[i], stream, &setup, i, nodes, blocks, any, stack[i], stack_t[i]
+                             PROFILED(, visits)))
                 prefetch_child(nodes, blocks, flying[i].current);
             else
                 busy &= ~(1ul << i);

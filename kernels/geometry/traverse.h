@@ -7,6 +7,7 @@
 #include "geometry/traverse_row.h"
 #include "geometry/traverse_triangle.h"
 #include "shared/bvh.h"
+#include "shared/counters.h"
 
 #pragma OPENCL FP_CONTRACT OFF
 
@@ -72,11 +73,13 @@ bool is_nearer(global const float *blocks, uint block, uint slot, float t, const
     return block_primitive(blocks, block, slot) < block_primitive(blocks, hit->block, hit->slot);
 }
 
+// Blocks of a leaf.
+uint leaf_blocks(uint leaf) { return 1u + ((leaf >> BVH_LEAF_COUNT_SHIFT) & BVH_LEAF_COUNT_MASK); }
+
 // Hits of a leaf that are closer than hit->t. True as soon as there is one, if any will do.
 ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float t_min, bool any, Hit *hit) {
-    const uint first = leaf & BVH_LEAF_FIRST_MASK;
-    const uint last = first + ((leaf >> BVH_LEAF_COUNT_SHIFT) & BVH_LEAF_COUNT_MASK);
-    for (uint block = first; block <= last; block++) {
+    const uint first = leaf & BVH_LEAF_FIRST_MASK, end = first + leaf_blocks(leaf);
+    for (uint block = first; block < end; block++) {
         global const float *rows = blocks + (size_t)block * (BVH_BLOCK_ROWS * BVH_WIDTH);
         for (uint slot = 0; slot < BVH_WIDTH; slot += ROW_SIZE) {
             Row distance, area;
@@ -99,9 +102,10 @@ ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uin
 }
 
 // Walks the tree at `root`: the closest hit, or with `any` the block of some hit; a miss has block = BVH_NO_PRIMITIVE.
+// With PROFILE the nodes and the blocks visited are added to visits[0] and [1].
 // The ray comes in pieces because a struct would come through memory, which cost up to 30 % of a ray (PoCL 3.1).
 Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global const float *nodes,
-             global const float *blocks, uint root, bool any) {
+             global const float *blocks, uint root, bool any PROFILED(, uint *visits)) {
     Hit hit;
     hit.t = t_max;
     hit.block = hit.slot = hit.primitive = BVH_NO_PRIMITIVE;
@@ -114,9 +118,12 @@ Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global c
     float stack_t[BVH_STACK];
     uint size = 0, current = root;
     for (;;) {
-        while (!(current & BVH_LEAF_BIT))
+        while (!(current & BVH_LEAF_BIT)) {
+            PROFILED(visits[0]++;)
             current = enter_node(&slabs, nodes + (size_t)current * (BVH_NODE_ROWS * BVH_WIDTH), t_min, hit.t, stack,
                                  stack_t, &size);
+        }
+        PROFILED(visits[1] += current != BVH_NO_CHILD ? leaf_blocks(current) : 0u;)
         if (current != BVH_NO_CHILD && meet_leaf(&shear, blocks, current, t_min, any, &hit)) return hit;
         do {
             if (size == 0u) return hit;
@@ -126,16 +133,16 @@ Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global c
     }
 }
 
-Hit trace_closest(Ray ray, global const float *nodes, global const float *blocks, uint root) {
-    Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, false);
+Hit trace_closest(Ray ray, global const float *nodes, global const float *blocks, uint root PROFILED(, uint *visits)) {
+    Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, false PROFILED(, visits));
     if (hit.block == BVH_NO_PRIMITIVE) return hit;
     hit.primitive = block_primitive(blocks, hit.block, hit.slot);
     return hit;
 }
 
 // 1: something is in the way.
-int trace_any(Ray ray, global const float *nodes, global const float *blocks, uint root) {
-    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, true);
+int trace_any(Ray ray, global const float *nodes, global const float *blocks, uint root PROFILED(, uint *visits)) {
+    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, true PROFILED(, visits));
     return hit.block != BVH_NO_PRIMITIVE;
 }
 

@@ -10,7 +10,9 @@
 void single_light(const Scene *scene, Path *path, const Shadow *shadow, Counts *counts) {
     if (!shadow_asked(shadow)) return;
     counts->value[COUNTER_shadow_rays] += 1u;
-    if (!trace_any(shadow->ray, scene->nodes, scene->blocks, scene->frame->bvh_root)) path->radiance.xyz += shadow->light;
+    if (!trace_any(shadow->ray, scene->nodes, scene->blocks,
+                   scene->frame->bvh_root PROFILED(, counts->profile + PROFILE_shadow_nodes)))
+        path->radiance.xyz += shadow->light;
 }
 
 // Takes up to `budget` flights; returns how many. The path is then out, done, or still inside.
@@ -35,7 +37,8 @@ void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts,
     while (path->state != PATH_DONE && used < budget) {
         if (path->state == PATH_RAY) {
             const Ray ray = path_ray(path->position.xyz, path->direction.xyz);
-            const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, scene->frame->bvh_root);
+            const Hit hit = trace_closest(ray, scene->nodes, scene->blocks,
+                                          scene->frame->bvh_root PROFILED(, counts->profile + PROFILE_ray_nodes));
             const Shadow shadow = path_meet(scene, path, hit, counts, layers);
             single_light(scene, path, &shadow, counts);
             used += PATH_RAY_COST;

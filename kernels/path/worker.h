@@ -31,7 +31,8 @@ typedef struct {
 void worker_light(const Scene *scene, Worker *worker, Counts *counts) {
     if (worker->shadow_count == 0u) return;
     counts->value[COUNTER_shadow_rays] += worker->shadow_count;
-    trace_stream(&worker->shadows, first_bits(worker->shadow_count), scene->nodes, scene->blocks, true);
+    trace_stream(&worker->shadows, first_bits(worker->shadow_count), scene->nodes, scene->blocks,
+                 true PROFILED(, counts->profile + PROFILE_shadow_nodes));
     for (uint i = 0; i < worker->shadow_count; i++)
         if (worker->shadows.block[i] == BVH_NO_PRIMITIVE)
             worker->pool[as_uint(worker->light[i].w)].radiance.xyz += worker->light[i].xyz;
@@ -90,7 +91,8 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
             global const Path *path = worker->pool + worker->rays[first + i];
             stream_put(&worker->stream, i, path_ray(path->position.xyz, path->direction.xyz), scene->frame->bvh_root);
         }
-        trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks, false);
+        trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks,
+                     false PROFILED(, counts->profile + PROFILE_ray_nodes));
         for (uint i = 0; i < part; i++) {
             const uint at = worker->rays[first + i];
             Path path = worker->pool[at];

@@ -112,7 +112,7 @@ uint turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, uint f
     uint left = 0u;
     while (flying != 0u) {
         counts->value[COUNTER_walk_rays] += popcount(flying);
-        trace_stream(stream, flying, scene->nodes, scene->blocks, false);
+        trace_stream(stream, flying, scene->nodes, scene->blocks, false PROFILED(, counts->profile + PROFILE_walk_nodes));
         uint onward = 0u;
         FOR_BITS(w, flying) {
             WalkLanes *lanes = groups + w / LANES;
@@ -170,6 +170,9 @@ TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, uin
     for (uint g = 0u; g < LANE_GROUPS; g++) turn_draw(scene, groups + g);
     for (uint g = 0u; g < LANE_GROUPS; g++)
         flying |= turn_rays(scene, groups + g, group_bits(active, g), stream, g * LANES) << (g * LANES);
+    COUNT_PROFILE(counts, clear_steps, popcount(active & ~flying))
+    COUNT_PROFILE(counts, lane_turns, LANE_GROUPS)
+    COUNT_PROFILE(counts, lane_active, popcount(active))
     const uint left = turn_trace(scene, groups, stream, flying, counts);
     TurnEnds all = {0u, 0u, 0u, 0u};
     for (uint g = 0u; g < LANE_GROUPS; g++) {
