@@ -7,7 +7,10 @@
 #pragma OPENCL FP_CONTRACT OFF
 
 #ifndef STREAM_RAYS
-#define STREAM_RAYS 32 // at most 64, a multiple of BVH_WIDTH
+#define STREAM_RAYS 32
+#endif
+#if STREAM_RAYS > 64 || STREAM_RAYS % BVH_WIDTH != 0
+#error "STREAM_RAYS must be a multiple of BVH_WIDTH and at most 64, the bits of a ulong"
 #endif
 
 // Rays and what they find, as rows, so that lanes can write theirs in one store. On return t is that of the hit, or t_max as
