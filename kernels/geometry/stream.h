@@ -35,7 +35,7 @@ typedef struct {
     uint size;    // of its stack
 } Flying;
 
-// The lines of a node, and most of a leaf's first block.
+// The lines of a node, or of the vertices of a leaf's first block: as many for both, as a branch would cost more.
 ALWAYS_INLINE void prefetch_child(global const float *nodes, global const float *blocks, uint child) {
     global const float *p = (child & BVH_LEAF_BIT)
                                 ? blocks + (size_t)(child & BVH_LEAF_FIRST_MASK) * (BVH_BLOCK_ROWS * BVH_WIDTH)

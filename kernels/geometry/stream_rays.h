@@ -11,8 +11,11 @@
 #if LANES == 1
 #define STREAM_RAYS 1 // a work-item is one lane, and has one ray
 #else
-#define STREAM_RAYS 32 // at most 64, a multiple of BVH_WIDTH and LANES
+#define STREAM_RAYS 32
 #endif
+#endif
+#if STREAM_RAYS > 1 && (STREAM_RAYS > 64 || STREAM_RAYS % BVH_WIDTH != 0 || STREAM_RAYS % LANES != 0)
+#error "STREAM_RAYS must be a multiple of BVH_WIDTH and LANES and at most 64, the bits of a ulong"
 #endif
 
 // Rays and what they find, as rows, so that lanes can write theirs in one store. On return t is that of the hit, or t_max as

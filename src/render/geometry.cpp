@@ -1,7 +1,5 @@
 #include "render/geometry.h"
-#include "accel/clearance.h"
 #include "scene/closed.h"
-#include "scene/mean.h"
 
 namespace nacre::render {
 namespace {
@@ -31,44 +29,16 @@ void append_vertices(const scene::Mesh &mesh, std::uint32_t features, Geometry &
     }
 }
 
-/// Mean free paths of a material's channels in the kernels' units; of a textured radius those of its mean.
-Vec3f free_path(const scene::Scene &scene, const scene::Material &material, const scene::Frame &frame) {
-    const Vec3 radius = scene::mean_color(scene, material[PARAMETER_subsurface_radius]);
-    const Vec3 scale = scene::mean_color(scene, material[PARAMETER_subsurface_radius_scale]);
-    return (radius.x() * scale / frame.size).cast<float>();
-}
-
-/// Gives an object its clearance field where that pays and there is room for one.
-void append_clearance(const scene::Scene &scene, const scene::Frame &frame, std::span<const accel::Triangle> triangles,
-                      std::size_t budget, Object &object, Geometry &geometry) {
-    Eigen::AlignedBox3f box;
-    for (const accel::Triangle &triangle : triangles)
-        for (const Vec3f &vertex : triangle.v) box.extend(vertex);
-    const float size = box.sizes().maxCoeff();
-    const Vec3f path = free_path(scene, scene.materials[object.material], frame);
-    if (!accel::clearance_pays(path, size)) return;
-    const accel::ClearanceField field = accel::build_clearance(triangles, accel::clearance_cell(path, size), budget);
-    object.clearance = field.info;
-    object.clearance.first = std::uint32_t(geometry.clearance.size());
-    geometry.clearance.insert(geometry.clearance.end(), field.bricks.begin(), field.bricks.end());
-}
-
-bool scatters_below(const scene::Material &material) {
-    const scene::Value &weight = material[PARAMETER_subsurface_weight];
-    return weight.texture >= 0 || weight.value.x() > 0;
-}
 
 } // namespace
 
 Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, std::uint32_t features, int bvh_width) {
     Geometry geometry;
     geometry.bvh.width = bvh_width;
-    const std::vector<accel::Triangle> triangles = world_triangles(scene, frame);
+    geometry.world = world_triangles(scene, frame);
+    const std::vector<accel::Triangle> &triangles = geometry.world;
     geometry.root = accel::append_tree(geometry.bvh, triangles, 0);
     std::uint32_t first_primitive = 0, first_vertex = 0;
-    auto scattering = std::size_t(std::count_if(
-        scene.objects.begin(), scene.objects.end(),
-        [&](const scene::Object &object) { return scatters_below(scene.materials[object.material]); }));
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object &source = scene.objects[i];
         const scene::Mesh &mesh = source.mesh;
@@ -78,12 +48,8 @@ Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, st
         object.first_light = NO_LIGHT;
         object.first_primitive = first_primitive;
         object.walk_root = geometry.root;
-        if (scatters_below(scene.materials[source.material])) {
+        if (scene::scatters_below(scene.materials[source.material])) {
             object.closed = scene::is_closed(mesh);
-            if (scene.render.clearance) {
-                const std::size_t share = (accel::clearance_budget - geometry.clearance.size()) / scattering--;
-                append_clearance(scene, frame, own, share, object, geometry);
-            }
             if (scene.objects.size() > 1) object.walk_root = accel::append_tree(geometry.bvh, own, first_primitive);
         }
         geometry.objects.push_back(object);

@@ -12,6 +12,7 @@ namespace nacre::render {
 struct Geometry {
     accel::Bvh bvh;
     std::uint32_t root = 0; // of the tree over everything
+    std::vector<accel::Triangle> world; // by primitive, on the host only
     std::vector<shared::Object> objects;
     std::vector<shared::uint4> triangles; // three vertices, object
     std::vector<float> normals;           // 3 per vertex, where the features have SMOOTH; 0: use the geometric one

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "device/buffer.h"
 #include "render/camera.h"
+#include "render/clearance.h"
 #include "render/convert.h"
 #include <bit>
 #include <optional>
@@ -99,6 +100,10 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     };
     Geometry geometry = timed("build BVH", out.startup.bvh,
                               [&] { return build_geometry(scene, units, features, device.quirks.bvh_width); });
+    if (scene.render.clearance)
+        timed("build clearance", out.startup.clearance, [&] {
+            add_clearance(scene, units, std::uint64_t(scene.render.spp) * crop.width() * crop.height(), geometry);
+        });
     const LightSet lights = timed("lights", out.startup.lights, [&] { return build_lights(scene, units); });
     std::optional<Span> uploading(std::in_place, timeline, "upload", &out.startup.upload);
     for (std::size_t i = 0; i < geometry.objects.size(); ++i) geometry.objects[i].first_light = lights.first_light[i];

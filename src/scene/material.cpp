@@ -22,4 +22,9 @@ Material::Material() {
     set(shared::PARAMETER_geometry_normal, Vec3(0, 0, 1)); // in tangent space: unperturbed
 }
 
+bool scatters_below(const Material &material) {
+    const Value &weight = material[shared::PARAMETER_subsurface_weight];
+    return weight.texture >= 0 || weight.value.x() > 0;
+}
+
 } // namespace nacre::scene

@@ -43,6 +43,9 @@ struct Material {
     const Value &operator[](shared::Parameter p) const { return values[p]; }
 };
 
+/// Light may go below the surface of this material somewhere.
+bool scatters_below(const Material &material);
+
 struct Object {
     std::string name; // for messages: file or shape, and its place in the scene
     Mesh mesh;        // world space
