@@ -2,6 +2,7 @@
 #ifndef NACRE_GEOMETRY_SURFACE_H
 #define NACRE_GEOMETRY_SURFACE_H
 
+#include "geometry/object.h"
 #include "geometry/ray.h"
 #include "geometry/traverse.h"
 #include "shared/view.h"
@@ -51,11 +52,12 @@ Surface surface_at(const Scene *scene, Ray ray, Hit hit) {
     const float3 w = hit_barycentrics(ray, scene->blocks, hit);
     surface.position = hit_point(scene->blocks, hit, w, &surface.error);
     surface.primitive = hit.primitive;
-    const uint4 corner = scene->triangles[hit.primitive];
-    surface.object = corner.w;
+    surface.object = object_of(scene, hit.primitive);
     surface.geometric = normalize(cross(v[1] - v[0], v[2] - v[0]));
     surface.shading = surface.geometric;
     surface.uv = (float2)(0.0f);
+    uint3 corner;
+    if (HAS(SMOOTH) || HAS(TEXTURES)) corner = vload3(hit.primitive, scene->triangles);
     if (HAS(SMOOTH)) {
         const float3 n = w.x * vload3(corner.x, scene->normals) + w.y * vload3(corner.y, scene->normals) +
                          w.z * vload3(corner.z, scene->normals);

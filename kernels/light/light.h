@@ -4,6 +4,7 @@
 #define NACRE_LIGHT_LIGHT_H
 
 #include "bsdf/material.h"
+#include "geometry/object.h"
 #include "light/environment.h"
 #include "random/sampler.h"
 
@@ -50,11 +51,12 @@ bool light_sample_flat(const Scene *scene, global const Light *light, float2 xi,
     sample->radiance = light->radiance.xyz;
     if (triangle) {
         float2 uv = (float2)(0.0f);
-        const uint4 corner = scene->triangles[light->primitive];
-        if (HAS(TEXTURES))
+        if (HAS(TEXTURES)) {
+            const uint3 corner = vload3(light->primitive, scene->triangles);
             uv = (1.0f - a - b) * vload2(corner.x, scene->uvs) + a * vload2(corner.y, scene->uvs) +
                  b * vload2(corner.z, scene->uvs);
-        sample->radiance = light_emission(scene, corner.w, uv);
+        }
+        sample->radiance = light_emission(scene, object_of(scene, light->primitive), uv);
     }
     sample->radiance *= 1.0f / sample->density;
     return true;

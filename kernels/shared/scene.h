@@ -125,7 +125,7 @@ struct Frame {
     int channel_sampling;     // ChannelSampling
     float scene_radius;       // of a sphere about the origin that holds the scene
     float emission_scale;     // emission of materials -> units of the film
-    uint pad;
+    uint object_count;
 };
 
 SHARED_END

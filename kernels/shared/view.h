@@ -23,7 +23,7 @@ typedef struct {
     global const float *nodes;          // BVH, shared/bvh.h
     global const float *blocks;
     global const Object *objects;
-    global const uint4 *triangles;      // three vertices, object; by primitive
+    global const uint *triangles;       // 3 vertices per primitive, where they have normals or uvs
     global const float *normals;        // 3 per vertex
     global const float *uvs;            // 2 per vertex
     global const Material *materials;
@@ -38,7 +38,7 @@ typedef struct {
 
 #define SCENE_PARAMETERS                                                                                               \
     global const Frame *frame, global const float *nodes, global const float *blocks, global const Object *objects,   \
-        global const uint4 *triangles, global const float *normals, global const float *uvs,                          \
+        global const uint *triangles, global const float *normals, global const float *uvs,                          \
         global const Material *materials, global const Texture *textures, global const half *texels,                  \
         global const Light *lights, global const AliasEntry *light_table, global const AliasEntry *environment_table, \
         global const float4 *environment, global const uint *clearance

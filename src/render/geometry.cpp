@@ -53,9 +53,9 @@ Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, st
             if (scene.objects.size() > 1) object.walk_root = accel::append_tree(geometry.bvh, own, first_primitive);
         }
         geometry.objects.push_back(object);
-        for (const auto &corner : mesh.triangles)
-            geometry.triangles.push_back(
-                {first_vertex + corner[0], first_vertex + corner[1], first_vertex + corner[2], std::uint32_t(i)});
+        if (features & (FEATURE_SMOOTH | FEATURE_TEXTURES))
+            for (const auto &corner : mesh.triangles)
+                for (const std::uint32_t vertex : corner) geometry.triangles.push_back(first_vertex + vertex);
         append_vertices(mesh, features, geometry);
         first_primitive += std::uint32_t(mesh.triangles.size());
         first_vertex += std::uint32_t(mesh.positions.size());

@@ -129,6 +129,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.bvh_root = geometry.root;
     frame.max_depth = scene.render.max_depth;
     frame.channel_sampling = scene.render.channel_sampling;
+    frame.object_count = std::uint32_t(scene.objects.size());
     frame.scene_radius = 0.5f;
     frame.emission_scale = float(1 / lights.unit);
 
