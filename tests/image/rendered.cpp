@@ -1,5 +1,7 @@
 #include "image/rendered.h"
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
@@ -65,6 +67,15 @@ std::array<Mean, 3> rendered_to(scene::Scene scene, const std::array<double, 3> 
         ++rounds;
         if (enough) return sum;
     }
+}
+
+void expect_same_pixels(const io::Picture &first, const io::Picture &second) {
+    const auto &a = first.pixels, &b = second.pixels;
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(float)), 0)
+        << std::count_if(a.begin(), a.end(), [&, i = std::size_t(0)](float v) mutable { return v != b[i++]; }) << " of "
+        << a.size() << " numbers differ";
+    EXPECT_GT(*std::max_element(a.begin(), a.end()), 0) << "a black picture shows nothing";
 }
 
 } // namespace nacre

@@ -26,6 +26,9 @@ scene::Scene scene_of(const std::string &json);
 /// Renders on the default device, which all tests of a process share.
 Rendered rendered(const scene::Scene &scene, const render::Options &options = {});
 
+/// Expects two pictures equal to the bit in all layers, and not black.
+void expect_same_pixels(const io::Picture &a, const io::Picture &b);
+
 /// Mean of R, G and B over the pixels that geometry covers wholly (alpha 1).
 std::array<Mean, 3> covered_mean(const io::Picture &picture);
 
