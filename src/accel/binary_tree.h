@@ -13,9 +13,13 @@ struct BinaryNode {
     bool leaf() const { return count == 1; }
 };
 
-/// Parents come before their children, node 0 is the root: decreasing index is bottom-up. Triangles that
+/// Depth first: the subtree of node i is the nodes from i to i + 2 count - 2, its left child i + 1. Decreasing index is
+/// bottom-up. Triangles that
 /// cannot be hit are left out; no triangle at all gives no node. Throws Error{Exit::failed} when Embree
 /// fails.
 std::vector<BinaryNode> build_binary_tree(std::span<const Triangle> triangles);
+
+/// Subtrees of at most this many triangles are what threads share work by.
+inline constexpr std::uint32_t subtree_grain = 4096;
 
 } // namespace nacre::accel

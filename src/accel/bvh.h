@@ -15,12 +15,20 @@ struct Triangle {
 /// Triangles that are not finite or have no area (in float) cannot, and are left out of whatever is built.
 bool can_be_hit(const Triangle &triangle);
 
+/// Seconds that trees took to build, in all.
+struct BuildTimes {
+    double tree = 0;     // the binary tree, Embree's
+    double collapse = 0; // which of its subtrees become leaves and wide nodes
+    double flatten = 0;  // into the kernels' layout
+};
+
 /// Flattened BVH(s), in the layout of kernels/shared/bvh.h. Several trees may share the two arrays.
 struct Bvh {
     int width = 16;            // children per node and triangles per leaf block: 16, 8 or 4
     std::vector<float> nodes;  // BVH_NODE_ROWS * width per node
     std::vector<float> blocks; // BVH_BLOCK_ROWS * width per block
     std::uint32_t stack = 0;   // entries the deepest traversal can need at once
+    BuildTimes times;
 };
 
 /// Builds a tree over triangles[i] with primitive id first_primitive + i, appends it to `bvh`, returns its root (as a

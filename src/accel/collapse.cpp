@@ -1,4 +1,5 @@
 #include "accel/collapse.h"
+#include "base/parallel.h"
 #include <algorithm>
 #include <limits>
 
@@ -13,20 +14,33 @@ float half_area(const Eigen::AlignedBox3f &box) {
 } // namespace
 
 Collapse::Collapse(const std::vector<BinaryNode> &tree, int width) : tree(tree), width(width), nodes(tree.size()) {
-    // A balanced tree needs about 6 entries per triangle.
-    costs.reserve(3 * tree.size());
-    splits.reserve(3 * tree.size());
-    for (std::size_t i = tree.size(); i-- > 0;) decide(static_cast<std::uint32_t>(i));
+    std::size_t entries = 0; // a balanced tree needs about 6 per triangle
+    std::vector<std::uint32_t> subtrees, above;
+    for (std::uint32_t i = 0, begun = 0; i < tree.size(); i++) {
+        nodes[i].first = entries;
+        nodes[i].size = static_cast<std::uint8_t>(std::min<std::uint32_t>(tree[i].count, width));
+        entries += nodes[i].size;
+        if (i < begun) continue; // inside the last subtree
+        if (tree[i].count > subtree_grain) {
+            above.push_back(i);
+        } else {
+            subtrees.push_back(i);
+            begun = i + 2 * tree[i].count - 1;
+        }
+    }
+    costs.resize(entries);
+    splits.resize(entries);
+    parallel_for(subtrees.size(), [&](std::size_t subtree) {
+        const std::uint32_t root = subtrees[subtree];
+        for (std::uint32_t i = root + 2 * tree[root].count - 1; i-- > root;) decide(i);
+    });
+    for (std::size_t i = above.size(); i-- > 0;) decide(above[i]);
     costs = {};
 }
 
 void Collapse::decide(std::uint32_t index) {
     const BinaryNode &binary = tree[index];
     Node &node = nodes[index];
-    node.first = costs.size();
-    node.size = static_cast<std::uint8_t>(std::min<std::uint32_t>(binary.count, width));
-    costs.resize(node.first + node.size);
-    splits.resize(node.first + node.size);
 
     // Node and block cost the same: each is a handful of vector operations on as many cache lines (measured: 1 : 1 is
     // best).

@@ -40,4 +40,8 @@ class Collapse {
     std::vector<Split> splits;
 };
 
+/// Writes the tree behind what `bvh` already holds and returns its root, a child reference.
+std::uint32_t flatten(Bvh &bvh, const std::vector<BinaryNode> &tree, const Collapse &collapse,
+                      std::span<const Triangle> triangles, std::uint32_t first_primitive);
+
 } // namespace nacre::accel

@@ -1,5 +1,6 @@
 #include "accel/binary_tree.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include <embree3/rtcore.h>
 #include <memory>
 #include <type_traits>
@@ -15,12 +16,13 @@ using TreeHandle = std::unique_ptr<std::remove_pointer_t<RTCBVH>, Releaser<rtcRe
 
 /// What the callbacks make of the tree, in Embree's own memory. A leaf is made without the part that only nodes need.
 struct Item {
-    Item *child[2];     // null in a leaf
-    unsigned primitive; // of a leaf
+    Item *child[2];  // null in a leaf
+    unsigned number; // a leaf's primitive, or the count of leaves below a node
 };
 struct Node : Item {
     RTCBounds bounds[2]; // of the children
 };
+unsigned leaves(const Item &item) { return item.child[0] ? item.number : 1; }
 
 void *create_node(RTCThreadLocalAllocator allocator, unsigned, void *) {
     return new (rtcThreadLocalAlloc(allocator, sizeof(Node), alignof(Node))) Node{};
@@ -31,7 +33,11 @@ void *create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive *pr
 }
 
 void set_children(void *node, void **children, unsigned count, void *) {
-    for (unsigned i = 0; i < count; i++) static_cast<Node *>(node)->child[i] = static_cast<Item *>(children[i]);
+    // Embree has finished the children by then.
+    for (unsigned i = 0; i < count; i++) {
+        static_cast<Node *>(node)->child[i] = static_cast<Item *>(children[i]);
+        static_cast<Node *>(node)->number += leaves(*static_cast<Item *>(children[i]));
+    }
 }
 
 void set_bounds(void *node, const RTCBounds **bounds, unsigned count, void *) {
@@ -55,35 +61,49 @@ std::vector<RTCBuildPrimitive> primitives_of(std::span<const Triangle> triangles
     return primitives;
 }
 
-/// Parents first; with a stack of its own, as nothing but Embree's depth limit bounds the tree's depth.
-std::vector<BinaryNode> copy_out(const Item *root, const Eigen::AlignedBox3f &root_bounds, std::size_t triangles) {
-    struct Pending {
-        const Item *item;
-        std::uint32_t parent;
-        int side;
-        Eigen::AlignedBox3f bounds;
-    };
-    std::vector<BinaryNode> nodes;
-    nodes.reserve(2 * triangles - 1);
-    std::vector<Pending> stack{{root, 0, -1, root_bounds}};
+/// A subtree, and where it goes.
+struct Pending {
+    const Item *item;
+    std::uint32_t index;
+    Eigen::AlignedBox3f bounds;
+};
+
+/// Copies the topmost node of a subtree; what is below goes on the stack.
+void copy_node(const Pending &from, std::vector<BinaryNode> &nodes, std::vector<Pending> &stack) {
+    BinaryNode &node = nodes[from.index];
+    node.bounds = from.bounds;
+    node.count = leaves(*from.item);
+    if (!from.item->child[0]) {
+        node.triangle = from.item->number;
+        return;
+    }
+    const auto &built = static_cast<const Node &>(*from.item);
+    node.child[0] = from.index + 1;
+    node.child[1] = from.index + 2 * leaves(*built.child[0]);
+    for (int side = 1; side >= 0; side--)
+        stack.push_back({built.child[side], node.child[side], box(built.bounds[side])});
+}
+
+/// With a stack of its own, as nothing but Embree's depth limit bounds the tree's depth.
+std::vector<BinaryNode> copy_out(const Item *root, const Eigen::AlignedBox3f &root_bounds) {
+    std::vector<BinaryNode> nodes(2 * std::size_t(leaves(*root)) - 1);
+    std::vector<Pending> stack{{root, 0, root_bounds}}, subtrees;
     while (!stack.empty()) {
         const Pending next = stack.back();
         stack.pop_back();
-        const auto index = static_cast<std::uint32_t>(nodes.size());
-        auto &node = nodes.emplace_back();
-        node.bounds = next.bounds;
-        if (next.side >= 0) nodes[next.parent].child[next.side] = index;
-        if (!next.item->child[0]) {
-            node.count = 1;
-            node.triangle = next.item->primitive;
-            continue;
-        }
-        const auto &built = static_cast<const Node &>(*next.item);
-        for (int side = 1; side >= 0; side--)
-            stack.push_back({built.child[side], index, side, box(built.bounds[side])});
+        if (leaves(*next.item) <= subtree_grain)
+            subtrees.push_back(next);
+        else
+            copy_node(next, nodes, stack);
     }
-    for (std::size_t i = nodes.size(); i-- > 0;)
-        if (!nodes[i].leaf()) nodes[i].count = nodes[nodes[i].child[0]].count + nodes[nodes[i].child[1]].count;
+    parallel_for(subtrees.size(), [&](std::size_t i) {
+        std::vector<Pending> below{subtrees[i]};
+        while (!below.empty()) {
+            const Pending next = below.back();
+            below.pop_back();
+            copy_node(next, nodes, below);
+        }
+    });
     return nodes;
 }
 
@@ -131,11 +151,11 @@ std::vector<BinaryNode> build_binary_tree(std::span<const Triangle> triangles) {
     arguments.setNodeBounds = set_bounds;
     arguments.createLeaf = create_leaf;
     const auto *root = static_cast<const Item *>(rtcBuildBVH(&arguments));
-    if (!root)
+    if (!root || leaves(*root) != primitives.size())
         throw Error(Exit::failed, "BVH",
                     fmt::format("Embree cannot build a tree over {} triangles: {} (error {})", primitives.size(),
                                 message, int(rtcGetDeviceError(device.get()))));
-    return copy_out(root, bounds, primitives.size());
+    return copy_out(root, bounds);
 }
 
 } // namespace nacre::accel

@@ -1,7 +1,9 @@
 #include "accel/collapse.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include <algorithm>
 #include <bit>
+#include <chrono>
 
 namespace nacre::accel {
 namespace {
@@ -9,21 +11,30 @@ namespace {
 /// Writes one tree behind what `bvh` already holds.
 class Flattener {
   public:
-    Flattener(Bvh &bvh, std::span<const Triangle> triangles, std::uint32_t first_primitive)
-        : bvh(bvh), triangles(triangles), first_primitive(first_primitive), width(static_cast<std::size_t>(bvh.width)) {
-    }
+    Flattener(Bvh &bvh, const std::vector<BinaryNode> &tree, std::span<const Triangle> triangles,
+              std::uint32_t first_primitive)
+        : bvh(bvh), tree(tree), triangles(triangles), first_primitive(first_primitive),
+          width(static_cast<std::size_t>(bvh.width)), blocks(bvh.blocks.size() / (BVH_BLOCK_ROWS * width)) {}
 
-    std::uint32_t flatten(const std::vector<BinaryNode> &tree);
+    std::uint32_t flatten(const Collapse &collapse);
 
   private:
+    struct Leaf {
+        std::uint32_t subtree;
+        std::size_t first; // block
+    };
     std::uint32_t add_node(float extent);
-    std::uint32_t add_leaf(const std::vector<BinaryNode> &tree, std::uint32_t subtree);
+    std::uint32_t add_leaf(std::uint32_t subtree);
+    void fill(const Leaf &leaf);
     void set_child(std::size_t node, std::size_t slot, const Eigen::AlignedBox3f &bounds);
 
     Bvh &bvh;
+    const std::vector<BinaryNode> &tree;
     std::span<const Triangle> triangles;
     const std::uint32_t first_primitive;
     const std::size_t width;
+    std::size_t blocks;       // given to leaves, of this tree or those before
+    std::vector<Leaf> leaves; // to be filled in the end, by all cores
 };
 
 std::uint32_t Flattener::add_node(float extent) {
@@ -44,39 +55,35 @@ void Flattener::set_child(std::size_t node, std::size_t slot, const Eigen::Align
     }
 }
 
-std::uint32_t Flattener::add_leaf(const std::vector<BinaryNode> &tree, std::uint32_t subtree) {
-    const std::size_t first = bvh.blocks.size() / (BVH_BLOCK_ROWS * width);
-    const std::size_t count = (tree[subtree].count + width - 1) / width;
+std::uint32_t Flattener::add_leaf(std::uint32_t subtree) {
+    const std::size_t first = blocks, count = (tree[subtree].count + width - 1) / width;
     if (first + count - 1 > BVH_LEAF_FIRST_MASK)
         throw Error(Exit::failed, "BVH", "more leaf blocks than a child reference can name");
-    bvh.blocks.resize(bvh.blocks.size() + count * BVH_BLOCK_ROWS * width, 0.0f);
-    for (std::size_t i = 0; i < count * width; i++)
-        bvh.blocks[((first + i / width) * BVH_BLOCK_ROWS + BVH_ROW_PRIMITIVE) * width + i % width] =
-            std::bit_cast<float>(BVH_NO_PRIMITIVE);
-
-    std::size_t filled = 0;
-    std::vector<std::uint32_t> stack{subtree};
-    while (!stack.empty()) {
-        const BinaryNode &node = tree[stack.back()];
-        stack.pop_back();
-        if (!node.leaf()) {
-            stack.push_back(node.child[1]);
-            stack.push_back(node.child[0]);
-            continue;
-        }
-        float *rows = bvh.blocks.data() + (first + filled / width) * BVH_BLOCK_ROWS * width + filled % width;
-        for (int k = 0; k < 9; k++) rows[k * width] = triangles[node.triangle].v[k / 3][k % 3];
-        rows[BVH_ROW_PRIMITIVE * width] = std::bit_cast<float>(first_primitive + node.triangle);
-        filled++;
-    }
+    leaves.push_back({subtree, first});
+    blocks += count;
     return BVH_LEAF_BIT | static_cast<std::uint32_t>(count - 1) << BVH_LEAF_COUNT_SHIFT |
            static_cast<std::uint32_t>(first);
 }
 
+/// Into blocks of zeros.
+void Flattener::fill(const Leaf &leaf) {
+    const std::uint32_t count = tree[leaf.subtree].count;
+    std::size_t slot = 0; // counted through the blocks
+    const auto row = [&](std::size_t k) -> float & {
+        return bvh.blocks[((leaf.first + slot / width) * BVH_BLOCK_ROWS + k) * width + slot % width];
+    };
+    for (std::uint32_t i = leaf.subtree; i < leaf.subtree + 2 * count - 1; i++) {
+        if (!tree[i].leaf()) continue;
+        for (std::size_t k = 0; k < 9; k++) row(k) = triangles[tree[i].triangle].v[k / 3][static_cast<int>(k % 3)];
+        row(BVH_ROW_PRIMITIVE) = std::bit_cast<float>(first_primitive + tree[i].triangle);
+        slot++;
+    }
+    for (; slot % width != 0; slot++) row(BVH_ROW_PRIMITIVE) = std::bit_cast<float>(BVH_NO_PRIMITIVE);
+}
+
 /// Depth first, so that a subtree is one stretch of memory.
-std::uint32_t Flattener::flatten(const std::vector<BinaryNode> &tree) {
+std::uint32_t Flattener::flatten(const Collapse &collapse) {
     if (tree.empty()) return add_node(0);
-    const Collapse collapse(tree, bvh.width);
     const float extent = tree[0].bounds.min().cwiseAbs().cwiseMax(tree[0].bounds.max().cwiseAbs()).maxCoeff();
 
     struct Pending {
@@ -91,8 +98,7 @@ std::uint32_t Flattener::flatten(const std::vector<BinaryNode> &tree) {
         const Pending next = stack.back();
         stack.pop_back();
         const bool leaf = collapse.leaf(next.subtree);
-        const std::uint32_t reference =
-            leaf ? add_leaf(tree, next.subtree) : add_node(next.slot == caller ? extent : 0);
+        const std::uint32_t reference = leaf ? add_leaf(next.subtree) : add_node(next.slot == caller ? extent : 0);
         if (next.slot == caller)
             root = reference;
         else
@@ -108,13 +114,33 @@ std::uint32_t Flattener::flatten(const std::vector<BinaryNode> &tree) {
                 {children[slot], (reference * std::size_t(BVH_NODE_ROWS) + BVH_ROW_CHILD) * width + slot, pushed});
         }
     }
+    bvh.blocks.resize(blocks * BVH_BLOCK_ROWS * width);
+    constexpr std::size_t batch = 256;
+    parallel_for((leaves.size() + batch - 1) / batch, [&](std::size_t i) {
+        for (std::size_t k = i * batch; k < std::min((i + 1) * batch, leaves.size()); k++) fill(leaves[k]);
+    });
     return root;
 }
 
 } // namespace
 
+std::uint32_t flatten(Bvh &bvh, const std::vector<BinaryNode> &tree, const Collapse &collapse,
+                      std::span<const Triangle> triangles, std::uint32_t first_primitive) {
+    return Flattener(bvh, tree, triangles, first_primitive).flatten(collapse);
+}
+
 std::uint32_t append_tree(Bvh &bvh, std::span<const Triangle> triangles, std::uint32_t first_primitive) {
-    return Flattener(bvh, triangles, first_primitive).flatten(build_binary_tree(triangles));
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const std::vector<BinaryNode> tree = build_binary_tree(triangles);
+    const auto built = Clock::now();
+    const Collapse collapse(tree, bvh.width);
+    const auto collapsed = Clock::now();
+    const std::uint32_t root = flatten(bvh, tree, collapse, triangles, first_primitive);
+    bvh.times.tree += std::chrono::duration<double>(built - start).count();
+    bvh.times.collapse += std::chrono::duration<double>(collapsed - built).count();
+    bvh.times.flatten += std::chrono::duration<double>(Clock::now() - collapsed).count();
+    return root;
 }
 
 } // namespace nacre::accel
