@@ -105,7 +105,7 @@ Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *st
                 Counts *counts) {
     const uint bit = 1u << w;
     lane_store(groups + w / LANES, w % LANES, path);
-    COUNT_WALK(counts, path->steps)
+    COUNT_WALK(counts, path->steps + ((ends.left & bit) != 0u ? 1u : 0u)) // flights: the one that left, too
     if (ends.left & bit) {
         const Surface surface = surface_at(scene, stream_ray(stream, w), stream_hit(stream, scene->blocks, w));
         return path_exit(scene, path, surface.position, surface.error, surface.shading, surface.geometric);

@@ -1,6 +1,7 @@
 #pragma once
 #include "device/kernel_info.h"
 #include "render/profile.h"
+#include "accel/bvh.h"
 #include "shared/counters.h"
 #include <array>
 #include <cstdint>
@@ -14,6 +15,7 @@ namespace nacre::render {
 struct Startup {
     double device = 0, load = 0; // opening the device, reading the scene
     double bvh = 0, clearance = 0, lights = 0;
+    accel::BuildTimes bvh_parts;
     double upload = 0;
     double compile = 0;         // or loading the binary
     double code_generation = 0; // of kernels by their first launch, as PoCL does it

@@ -100,6 +100,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     };
     Geometry geometry = timed("build BVH", out.startup.bvh,
                               [&] { return build_geometry(scene, units, features, device.quirks.bvh_width); });
+    out.startup.bvh_parts = geometry.bvh.times;
     if (scene.render.clearance)
         timed("build clearance", out.startup.clearance, [&] {
             add_clearance(scene, units, std::uint64_t(scene.render.spp) * crop.width() * crop.height(), geometry);
