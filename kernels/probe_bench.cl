@@ -6,6 +6,7 @@
 #include "phase/henyey_greenstein.h"
 #include "random/hash.h"
 #include "shared/view.h"
+#include "walk/clearance.h"
 
 #ifndef REPEATS
 #define REPEATS 256
@@ -58,3 +59,19 @@ BENCH(phase_sample, sum_of(phase_sample(scene, g, x, 1.0f - x, from)))
 BENCH(phase_pdf, phase_pdf(scene, g, triplet(x, 1.0f - x, x), from))
 BENCH(flight_sample, flight_sample(scene, flight, x))
 BENCH(flight_density, flight_density(scene, flight, x, x < 0.5f))
+
+// Look-ups all over the box of a clearance field, `extent` wide from its corner.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void bench_clearance(
+    global const real *in, global real *out, global const Clearance *field, global const uint *bricks, float4 extent) {
+    const size_t i = get_global_id(0);
+    ClearanceLanes lanes;
+    for (uint l = 0; l < LANES; ++l) clearance_set(&lanes, l, *field);
+    const real first = in[i];
+    real sum = (real)(0.0f);
+    for (uint k = 0; k < REPEATS; ++k) {
+        const real x = first + (float)k * (0.5f / REPEATS), y = 7.0f * x - floor(7.0f * x), z = 53.0f * x - floor(53.0f * x);
+        sum += clearance_at(bricks, &lanes, fma(x, (real)(extent.x), lanes.corner_x),
+                            fma(y, (real)(extent.y), lanes.corner_y), fma(z, (real)(extent.z), lanes.corner_z));
+    }
+    out[i] = sum;
+}

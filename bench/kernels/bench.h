@@ -12,6 +12,7 @@ double kernel_seconds(const cl::Kernel &kernel, std::size_t items);
 
 /// Each file of this folder registers its benchmarks, main() calls them all. A new room is a new file, and a line here.
 void register_lanes();
+void register_clearance();
 void register_traversal();
 
 } // namespace nacre::bench

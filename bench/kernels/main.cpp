@@ -29,6 +29,7 @@ int main(int argc, char **argv) {
     try {
         benchmark::AddCustomContext("device", nacre::bench::the_device().info.name);
         nacre::bench::register_lanes();
+        nacre::bench::register_clearance();
         nacre::bench::register_traversal();
         benchmark::RunSpecifiedBenchmarks();
     } catch (const nacre::Error &error) {
