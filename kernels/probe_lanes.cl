@@ -62,7 +62,18 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_lane_w
     walk.anisotropy = pick((x & 1u) != 0u, (real)(0.8f), none);
     walk.bleed = pick((x & 2u) != 0u, (real)(0.5f), none);
     walk.reciprocal = (x & 4u) != 0u;
-    walk_begin(&walk, walk_start(scene, 0.4f));
+    const real xi = lane_unit(lane_hash(x, zero, zero, zero).x);
+    walk.steps = zero;
+    for (uint l = 0u; l < LANES; ++l) { // as lane_load does it: each lane has its own start
+        const WalkStart start = walk_start(scene, LANE_FLOAT(xi, l));
+        LANE_FLOAT(walk.weight.x, l) = start.weight.x;
+        LANE_FLOAT(walk.weight.y, l) = start.weight.y;
+        LANE_FLOAT(walk.weight.z, l) = start.weight.z;
+        LANE_FLOAT(walk.share.x, l) = start.share.x;
+        LANE_FLOAT(walk.share.y, l) = start.share.y;
+        LANE_FLOAT(walk.share.z, l) = start.share.z;
+        LANE_INT(walk.channel, l) = (int)start.channel;
+    }
     const mask yes = zero == 0u, no = zero == 1u;
     mask alive = yes;
     real distance = none;
