@@ -166,7 +166,7 @@ void trace_many(const Scene *scene, const Launch *launch, global Path *pool, Cou
     worker.vacant_count = POOL_PATHS;
     // Lanes without a walk compute along; what they hold must not lead them out of a buffer.
     uint *words = (uint *)worker.lanes;
-    for (uint i = 0; i < sizeof(worker.lanes) / sizeof(uint); i++) words[i] = 0u;
+    for (uint i = 0; i < LANE_GROUPS * (sizeof(WalkLanes) / sizeof(uint)); i++) words[i] = 0u;
     for (uint i = 0; i < POOL_PATHS; i++) worker.vacant[i] = (ushort)(POOL_PATHS - 1u - i);
     for (;;) {
         worker_begin(scene, &worker, launch, counts);
