@@ -13,7 +13,7 @@ TEST_F(Cli, StatisticsHaveTheirKeys) {
     }
     EXPECT_EQ(stats["samples"], 16 * 12);
     EXPECT_GT(stats["memory"]["nodes"].get<int>(), 0);
-    EXPECT_EQ(stats["features"], nlohmann::json({"subsurface", "smooth", "environment", "surface_aov"}));
+    EXPECT_EQ(stats["features"], nlohmann::json({"subsurface", "smooth", "environment", "surface_aov", "clearance"}));
     EXPECT_EQ(stats["counters"]["paths"], 16 * 12);
     EXPECT_EQ(stats["counters"]["non_finite"], 0);
     EXPECT_LE(stats["first_pixel_s"].get<double>(), stats["total_s"].get<double>());
@@ -24,7 +24,7 @@ TEST_F(Cli, WhatNoFeatureAsksForIsNotThere) {
     const auto stats = json_of("stats.json");
     EXPECT_EQ(stats["memory"]["texels"], 0);
     EXPECT_EQ(stats["memory"]["layers"], 0);
-    EXPECT_EQ(stats["features"], nlohmann::json({"subsurface", "smooth", "environment"}));
+    EXPECT_EQ(stats["features"], nlohmann::json({"subsurface", "smooth", "environment", "clearance"}));
 }
 
 TEST_F(Cli, QuietSaysNothing) {
