@@ -26,7 +26,7 @@ class Megakernel {
     const device::Device device;
     const render::DeviceScene scene;
     cl::Kernel kernel;
-    cl_uint arguments; // of the scene
+    cl_uint arguments;   // of the scene
     std::size_t workers; // 0: a work-item per path
     cl::Buffer paths, results, suspended, pool, counters;
     std::size_t count = 0;

@@ -8,8 +8,8 @@ namespace {
 
 using namespace shared;
 
-/// A cell takes some .2 us to build, a walk saves a microsecond or two: with fewer walks than this per cell a field costs
-/// more than it brings. Of a picture's paths about every second one walks.
+/// A cell takes some .2 us to build, a walk saves a microsecond or two: with fewer walks than this per cell a field
+/// costs more than it brings. Of a picture's paths about every second one walks.
 constexpr std::size_t cells_per_path = 4;
 
 /// Mean free paths of a material's channels in the kernels' units; of a textured radius those of its mean.

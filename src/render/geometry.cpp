@@ -29,7 +29,6 @@ void append_vertices(const scene::Mesh &mesh, std::uint32_t features, Geometry &
     }
 }
 
-
 } // namespace
 
 Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, std::uint32_t features, int bvh_width) {

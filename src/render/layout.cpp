@@ -24,14 +24,14 @@ struct Size {
 
 // In the order of the kernel `layout`.
 constexpr std::array<Size, 10> sizes = {{{"Camera", sizeof(Camera)},
-                                        {"Material", sizeof(Material)},
-                                        {"Texture", sizeof(Texture)},
-                                        {"Object", sizeof(Object)},
-                                        {"Light", sizeof(Light)},
-                                        {"AliasEntry", sizeof(AliasEntry)},
-                                        {"Frame", sizeof(Frame)},
-                                        {"Path", sizeof(Path)},
-                                        {"Batch", sizeof(Batch)},
+                                         {"Material", sizeof(Material)},
+                                         {"Texture", sizeof(Texture)},
+                                         {"Object", sizeof(Object)},
+                                         {"Light", sizeof(Light)},
+                                         {"AliasEntry", sizeof(AliasEntry)},
+                                         {"Frame", sizeof(Frame)},
+                                         {"Path", sizeof(Path)},
+                                         {"Batch", sizeof(Batch)},
                                          {"Clearance", sizeof(Clearance)}}};
 
 } // namespace

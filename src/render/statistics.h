@@ -1,7 +1,7 @@
 #pragma once
+#include "accel/bvh.h"
 #include "device/kernel_info.h"
 #include "render/profile.h"
-#include "accel/bvh.h"
 #include "shared/counters.h"
 #include <array>
 #include <cstdint>

@@ -7,8 +7,8 @@ namespace {
 
 using namespace shared;
 
-/// Steps a path (or a worker that finds no new one) takes before it is suspended: some milliseconds, so that no launch hangs
-/// on a few endless walks.
+/// Steps a path (or a worker that finds no new one) takes before it is suspended: some milliseconds, so that no launch
+/// hangs on a few endless walks.
 constexpr std::uint32_t step_budget = 4096;
 
 cl::Buffer make(const device::Device &device, std::size_t bytes) {
@@ -23,7 +23,7 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     : device(device), recorder(recorder), trace_kernel(program.program, "trace_paths"),
       accumulate_kernel(program.program, "accumulate"),
       workers(device.quirks.lanes > 1 ? device.info.compute_units : 0),
-      suspended_capacity(workers > 0                                   ? workers * POOL_PATHS
+      suspended_capacity(workers > 0                                 ? workers * POOL_PATHS
                          : scene.frame.features & FEATURE_SUBSURFACE ? capacity / 4
                                                                      : 1),
       counted(profile ? PROFILE_WORDS : COUNTER_WORDS) {
@@ -113,7 +113,11 @@ void Tracer::take_counters(Statistics &statistics) {
 }
 
 std::vector<std::pair<std::string, std::size_t>> Tracer::memory() const {
-    return {{"radiance", radiance_bytes}, {"layers", layer_bytes}, {"film", film_bytes}, {"paths", 2 * path_bytes}, {"pool", pool_bytes}};
+    return {{"radiance", radiance_bytes},
+            {"layers", layer_bytes},
+            {"film", film_bytes},
+            {"paths", 2 * path_bytes},
+            {"pool", pool_bytes}};
 }
 
 } // namespace nacre::render

@@ -36,7 +36,7 @@ class Tracer {
     std::uint32_t suspended_capacity;
     std::size_t layer_bytes = 0, film_bytes = 0, radiance_bytes = 0, path_bytes = 0, pool_bytes = 0;
     cl::Buffer radiance, layers, film, counters, pool;
-    cl::Buffer paths[2]; // suspended, resumed; they take turns
+    cl::Buffer paths[2];               // suspended, resumed; they take turns
     std::vector<shared::uint> counted; // the counters between launches
 
     double launch(cl::Kernel &kernel, std::size_t items);

@@ -17,8 +17,8 @@ using namespace shared;
 class Uploader {
   public:
     Uploader(const device::Device &device, DeviceScene &out)
-        : device(device), limit(device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()),
-          name(device.info.name), out(out) {}
+        : device(device), limit(device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()), name(device.info.name),
+          out(out) {}
 
     template <typename T> void add(const std::string &what, const std::vector<T> &data) {
         add_bytes(what, data.data(), data.size() * sizeof(T));

@@ -20,7 +20,8 @@ std::uint32_t rounded_up(std::uint32_t stack) { return std::max(stack + 63, 64u)
 } // namespace
 
 RayProbe::RayProbe(const device::Device &device, const accel::Bvh &bvh, const std::string &extra, std::uint32_t stack)
-    : device(device), nodes(device::constant_buffer<float>(device, bvh.nodes)), blocks(device::constant_buffer<float>(device, bvh.blocks)) {
+    : device(device), nodes(device::constant_buffer<float>(device, bvh.nodes)),
+      blocks(device::constant_buffer<float>(device, bvh.blocks)) {
     device::Variant variant;
     variant.entry = "probe_rays.cl";
     variant.lanes = device.quirks.lanes;

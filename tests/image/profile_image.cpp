@@ -19,7 +19,8 @@ TEST_P(ProfileImage, SameToTheBit) {
     EXPECT_FALSE(plain.statistics.profiled);
     EXPECT_TRUE(profiled.statistics.profiled);
     EXPECT_NE(profiled.statistics.program_options.find("-DPROFILE"), std::string::npos);
-    // How far a flight is cleared, and so whether it is traced, depends on its neighbours in the lanes; what it finds does not.
+    // How far a flight is cleared, and so whether it is traced, depends on its neighbours in the lanes; what it finds
+    // does not.
     auto counted = plain.statistics.counters;
     counted[shared::COUNTER_walk_rays] = profiled.statistics.counters[shared::COUNTER_walk_rays];
     EXPECT_EQ(counted, profiled.statistics.counters);
