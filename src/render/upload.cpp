@@ -4,7 +4,6 @@
 #include "render/camera.h"
 #include "render/clearance.h"
 #include "render/convert.h"
-#include <bit>
 #include <optional>
 #include <xxhash.h>
 
@@ -111,7 +110,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     out.unit = lights.unit;
     out.length = units.size;
     // Few sizes of stack, so that scenes share programs.
-    out.bvh_stack = std::bit_ceil(std::max(64u, geometry.bvh.stack));
+    out.bvh_stack = (std::max(64u, geometry.bvh.stack) + 31) / 32 * 32;
 
     Frame &frame = out.frame;
     frame.camera = to_device(scene.camera, scene.image, units);
