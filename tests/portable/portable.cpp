@@ -68,7 +68,7 @@ std::vector<std::string> Portable::arguments(const std::string &name, const std:
 
 void Portable::expect_as_on_pocl(const std::string &name) const {
     const Outcome outcome =
-        run(arguments("pocl.exr", {"--device", "Portable Computing Language", "--generic"}), {}, 600);
+        run(arguments("pocl.exr", {"--device", "Portable Computing Language", "--generic"}), {}, patience);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto here = read_picture(folder / name), pocl = read_picture(folder / "pocl.exr");
     ASSERT_TRUE(here && pocl);

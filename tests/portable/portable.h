@@ -9,11 +9,16 @@ struct SmallScene {
     std::string name;
     std::vector<io::Override> set = {};
 
+    friend void PrintTo(const SmallScene &scene, std::ostream *out) { *out << scene.name; }
     std::string file() const { return NACRE_SCENES "/features/" + name + ".json"; }
 };
 
 std::vector<SmallScene> small_scenes();
 std::string test_name(const testing::TestParamInfo<SmallScene> &info);
+
+/// Seconds after which a program is killed. They take a few, but compiling for rusticl the better part of a minute, and
+/// much more where others use this machine.
+constexpr double patience = 1200;
 
 /// How far one picture is from another of the same scene.
 struct Difference {
