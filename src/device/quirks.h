@@ -9,6 +9,7 @@ struct Quirks {
     bool bvh_vector = false;  // test a node's children in one vector operation, else in a loop
     int work_group = 64;      // the one work-group size of every kernel
     bool binary_cache = true; // keep program binaries of our own
+    int steps = 4096;         // a path takes before it is suspended: some milliseconds, so that no launch hangs
 };
 
 struct DeviceInfo;

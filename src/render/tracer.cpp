@@ -7,8 +7,12 @@ namespace {
 
 using namespace shared;
 
-/// Steps a path takes before it is suspended: some milliseconds, so that no launch hangs on a few endless walks.
-constexpr std::uint32_t step_budget = 4096;
+/// How many of a batch's paths can be suspended at once: few take as many steps as that, but all may where the device
+/// allows few steps. One that finds no room goes on.
+std::uint32_t room_for_suspended(const device::Device &device, std::uint32_t features, std::uint32_t capacity) {
+    if (device.quirks.steps < device::Quirks{}.steps) return capacity;
+    return features & FEATURE_SUBSURFACE ? capacity / 4 : 1;
+}
 
 cl::Buffer make(const device::Device &device, std::size_t bytes) {
     return bytes > 0 ? cl::Buffer(device.context, CL_MEM_READ_WRITE, bytes) : cl::Buffer();
@@ -19,7 +23,7 @@ cl::Buffer make(const device::Device &device, std::size_t bytes) {
 Tracer::Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene,
                std::uint32_t planes, std::uint32_t film_pixels, std::uint32_t capacity)
     : device(device), trace_kernel(program.program, "trace_paths"), accumulate_kernel(program.program, "accumulate"),
-      suspended_capacity(scene.frame.features & FEATURE_SUBSURFACE ? capacity / 4 : 1), counted(COUNTER_WORDS) {
+      suspended_capacity(room_for_suspended(device, scene.frame.features, capacity)), counted(COUNTER_WORDS) {
     radiance_bytes = std::size_t(capacity) * sizeof(float4);
     layer_bytes = planes > FILM_ALBEDO ? 2 * radiance_bytes : 0;
     film_bytes = std::size_t(film_pixels) * planes * sizeof(float4);
@@ -53,7 +57,7 @@ double Tracer::launch(cl::Kernel &kernel, std::size_t items) {
 double Tracer::trace(Batch batch) {
     batch.resumed = 0;
     batch.capacity = suspended_capacity;
-    batch.budget = step_budget;
+    batch.budget = std::uint32_t(device.quirks.steps);
     double seconds = 0;
     std::size_t items = std::size_t(batch.pixel_count) * batch.sample_count;
     const std::size_t counter_bytes = counted.size() * sizeof(uint);

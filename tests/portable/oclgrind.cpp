@@ -31,7 +31,7 @@ TEST_P(Oclgrind, FindsNothing) {
     const auto outcome = run(arguments("out.exr", {"--stats", path("stats.json")}), oclgrind(path("log")), patience);
     expect_clean(outcome, path("log"));
     EXPECT_EQ(json_of("stats.json")["device"], "Oclgrind Simulator");
-    expect_as_on_pocl("out.exr");
+    expect_as_on_pocl("out.exr", "stats.json");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Oclgrind, testing::ValuesIn(small_scenes()), test_name);
