@@ -24,13 +24,13 @@ std::vector<SmallScene> small_scenes() {
                  {"camera.target", "[0, 0, 1]"},
                  {"materials.thing.base_color", "0.999"},
                  {"render.max_depth", "0"},
-                 {"render.seed", "1"},
+                 {"render.seed", "26"},
                  {"lights.1.center", "[0, 0.5, 0]"},
                  {"lights.1.u", "[0.2, 0, 0]"},
                  {"lights.1.v", "[0, 0, 0.2]"}},
          .size = "1x1",
          .spp = "1",
-         .rays = 600},
+         .rays = 513},
     };
 }
 
