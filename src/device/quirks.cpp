@@ -30,8 +30,10 @@ Quirks quirks_of_platform(const DeviceInfo &info) {
          {.bvh_width = 8, .bvh_vector = true, .lanes = 1, .work_group = 1, .binary_cache = false},
          "False alarms on 16 wide vectors; has no binaries."},
         {"llvmpipe",
-         {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 8, .binary_cache = true},
-         "Mesa's rusticl on the CPU: fastest with scalar code and groups of 8. Its other devices are GPUs like any."},
+         {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 8, .binary_cache = true, .steps = 32},
+         "Mesa's rusticl on the CPU (its other devices are GPUs like any): fastest with scalar code and groups of 8. A "
+         "work-item leaves its loops, without a word, after 65535 iterations of all of them together "
+         "(LP_MAX_TGSI_LOOP_ITERATIONS), of which a ray takes several hundred."},
         {"Intel(R) OpenCL",
          {.bvh_width = width, .bvh_vector = true, .lanes = width, .work_group = 1, .binary_cache = true},
          "A CPU runtime: explicit vectors as on PoCL."},

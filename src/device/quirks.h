@@ -10,6 +10,9 @@ struct Quirks {
     int lanes = 1;            // walks side by side in a work-item: 16, 8, 4, or 1 where work-items are lanes already
     int work_group = 64;      // the one work-group size of every kernel
     bool binary_cache = true; // keep program binaries of our own
+    // Steps that a path, or a worker that finds no new one, may take before it is suspended: some milliseconds, so that
+    // no launch hangs on a few endless walks.
+    int steps = 4096;
     std::string options = {}; // of its compiler alone
 };
 

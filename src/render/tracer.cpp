@@ -7,9 +7,15 @@ namespace {
 
 using namespace shared;
 
-/// Steps a path (or a worker that finds no new one) takes before it is suspended: some milliseconds, so that no launch
-/// hangs on a few endless walks.
-constexpr std::uint32_t step_budget = 4096;
+/// How many of a batch's paths can be suspended at once: few take as many steps as that, but all may where the device
+/// allows few steps. One that finds no room goes on.
+/// Workers keep no more than their pools.
+std::uint32_t room_for_suspended(const device::Device &device, std::uint32_t workers, std::uint32_t features,
+                                 std::uint32_t capacity) {
+    if (workers > 0) return workers * POOL_PATHS;
+    if (device.quirks.steps < device::Quirks{}.steps) return capacity;
+    return features & FEATURE_SUBSURFACE ? capacity / 4 : 1;
+}
 
 cl::Buffer make(const device::Device &device, std::size_t bytes) {
     return bytes > 0 ? cl::Buffer(device.context, CL_MEM_READ_WRITE, bytes) : cl::Buffer();
@@ -23,9 +29,7 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     : device(device), recorder(recorder), trace_kernel(program.program, "trace_paths"),
       accumulate_kernel(program.program, "accumulate"),
       workers(device.quirks.lanes > 1 ? device.info.compute_units : 0),
-      suspended_capacity(workers > 0                                 ? workers * POOL_PATHS
-                         : scene.frame.features & FEATURE_SUBSURFACE ? capacity / 4
-                                                                     : 1),
+      suspended_capacity(room_for_suspended(device, workers, scene.frame.features, capacity)),
       counted(profile ? PROFILE_WORDS : COUNTER_WORDS) {
     radiance_bytes = std::size_t(capacity) * sizeof(float4);
     layer_bytes = planes > FILM_ALBEDO ? 2 * radiance_bytes : 0;
@@ -63,7 +67,7 @@ double Tracer::launch(cl::Kernel &kernel, std::size_t items) {
 double Tracer::trace(Batch batch) {
     batch.resumed = 0;
     batch.capacity = suspended_capacity;
-    batch.budget = step_budget;
+    batch.budget = std::uint32_t(device.quirks.steps);
     double seconds = 0;
     std::size_t items = std::size_t(batch.pixel_count) * batch.sample_count;
     const std::size_t counter_bytes = counted.size() * sizeof(uint);

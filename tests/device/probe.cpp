@@ -11,13 +11,14 @@ using namespace shared;
 
 static_assert(sizeof(Probe) == 80, "as in probe.cl");
 
+// Neither it nor programs are ever released: when static objects go, Oclgrind has gone.
 const device::Device &the_device() {
-    static const device::Device device = device::open_device();
-    return device;
+    static const auto *const device = new device::Device(device::open_device());
+    return *device;
 }
 
 const cl::Program &program_for(std::uint32_t features) {
-    static std::map<std::uint32_t, cl::Program> programs;
+    static auto &programs = *new std::map<std::uint32_t, cl::Program>;
     const auto found = programs.find(features);
     if (found != programs.end()) return found->second;
     device::Variant variant;

@@ -28,10 +28,10 @@ void expect_clean(const Outcome &outcome, const fs::path &log) {
 class Oclgrind : public Portable {};
 
 TEST_P(Oclgrind, FindsNothing) {
-    const auto outcome = run(arguments("out.exr", {"--stats", path("stats.json")}), oclgrind(path("log")), 600);
+    const auto outcome = run(arguments("out.exr", {"--stats", path("stats.json")}), oclgrind(path("log")), patience);
     expect_clean(outcome, path("log"));
     EXPECT_EQ(json_of("stats.json")["device"], "Oclgrind Simulator");
-    expect_as_on_pocl("out.exr");
+    expect_as_on_pocl("out.exr", "stats.json");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Oclgrind, testing::ValuesIn(small_scenes()), test_name);
@@ -40,7 +40,7 @@ TEST_F(Probes, Oclgrind) {
     Surroundings surroundings = oclgrind(path("log"));
     surroundings.program = NACRE_TEST_DEVICE;
     const Outcome outcome =
-        run({"--gtest_filter=Sobol.OnePointInEveryElementaryInterval:Sobol.DimensionsDiffer"}, surroundings, 600);
+        run({"--gtest_filter=Sobol.OnePointInEveryElementaryInterval:Sobol.DimensionsDiffer"}, surroundings, patience);
     expect_clean(outcome, path("log"));
     expect_ran(outcome);
 }

@@ -8,12 +8,19 @@ namespace nacre {
 struct SmallScene {
     std::string name;
     std::vector<io::Override> set = {};
+    std::string size = "10x6", spp = "2"; // a ray takes Oclgrind milliseconds
+    int rays = 0;                         // that it takes at least
 
+    friend void PrintTo(const SmallScene &scene, std::ostream *out) { *out << scene.name; }
     std::string file() const { return NACRE_SCENES "/features/" + name + ".json"; }
 };
 
 std::vector<SmallScene> small_scenes();
 std::string test_name(const testing::TestParamInfo<SmallScene> &info);
+
+/// Seconds after which a program is killed. They take a few, but compiling for rusticl the better part of a minute, and
+/// much more where others use this machine.
+constexpr double patience = 1200;
 
 /// How far one picture is from another of the same scene.
 struct Difference {
@@ -32,13 +39,14 @@ class Probes : public Cli {
 /// Tests that render a scene on PoCL and again on another implementation.
 class Portable : public Cli, public testing::WithParamInterface<SmallScene> {
   protected:
-    /// `render` of the scene, 10 x 6 pixels with two samples each: a ray takes Oclgrind milliseconds.
+    /// `render` of the scene.
     std::vector<std::string> arguments(const std::string &name, const std::vector<std::string> &more) const;
 
     /// Renders on PoCL and expects the picture `name` to be as that. Random numbers are the same everywhere and
     /// built-ins differ by some ulp: that shows in the fifth digit, except on paths that go another way for it, of
     /// which a picture as small as this has hardly any.
-    void expect_as_on_pocl(const std::string &name) const;
+    /// `stats`: of that render.
+    void expect_as_on_pocl(const std::string &name, const std::string &stats) const;
 };
 
 } // namespace nacre

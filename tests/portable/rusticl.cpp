@@ -11,10 +11,10 @@ class Rusticl : public Portable {};
 
 // The generic program for all scenes: it takes Mesa the better part of a minute, once, and then comes from the caches.
 TEST_P(Rusticl, SamePicture) {
-    const Outcome outcome = run(arguments("out.exr", {"--stats", path("stats.json"), "--generic"}), rusticl, 600);
+    const Outcome outcome = run(arguments("out.exr", {"--stats", path("stats.json"), "--generic"}), rusticl, patience);
     ASSERT_EQ(outcome.code, 0) << "signal " << outcome.signal << "\n" << outcome.err;
     EXPECT_EQ(json_of("stats.json")["device"].get<std::string>().rfind("llvmpipe", 0), 0u);
-    expect_as_on_pocl("out.exr");
+    expect_as_on_pocl("out.exr", "stats.json");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Rusticl, testing::ValuesIn(small_scenes()), test_name);
@@ -22,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Rusticl, testing::ValuesIn(small_scenes()), tes
 TEST_F(Probes, Rusticl) {
     Surroundings surroundings = rusticl;
     surroundings.program = NACRE_TEST_DEVICE;
-    expect_ran(run({"--gtest_filter=Program.*:Elementary.*:FlightAccuracy.*:PhaseAccuracy.*"}, surroundings, 600));
+    expect_ran(run({"--gtest_filter=Program.*:Elementary.*:FlightAccuracy.*:PhaseAccuracy.*"}, surroundings, patience));
 }
 
 } // namespace
