@@ -16,11 +16,11 @@ probe_clearance(global const float4 *points, global const Clearance *fields, glo
     real x, y, z;
     for (uint lane = 0; lane < LANES; lane++) {
         const float4 point = points[begin + lane];
-        ((float *)&x)[lane] = point.x;
-        ((float *)&y)[lane] = point.y;
-        ((float *)&z)[lane] = point.z;
+        LANE_FLOAT(x, lane) = point.x;
+        LANE_FLOAT(y, lane) = point.y;
+        LANE_FLOAT(z, lane) = point.z;
         clearance_set(&lanes, lane, fields[as_uint(point.w)]);
     }
     const real bound = clearance_at(bricks, &lanes, x, y, z);
-    for (uint lane = 0; lane < LANES; lane++) bounds[begin + lane] = ((const float *)&bound)[lane];
+    for (uint lane = 0; lane < LANES; lane++) bounds[begin + lane] = LANE_FLOAT(bound, lane);
 }

@@ -29,8 +29,13 @@ typedef struct {
 } RayStream;
 
 // LANES rays' place in a row, from ray `first` on, a multiple of LANES.
+#if LANES == 1
+#define STREAM_LANES(row, first) ((row)[first])
+#define STREAM_LANES_UINT(row, first) ((row)[first])
+#else
 #define STREAM_LANES(row, first) (*(real *)((row) + (first)))
 #define STREAM_LANES_UINT(row, first) (*(natural *)((row) + (first)))
+#endif
 
 void stream_put(RayStream *stream, uint i, Ray ray, uint root) {
     stream->origin_x[i] = ray.origin.x;

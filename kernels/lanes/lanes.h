@@ -62,9 +62,15 @@ mask mask_of(uint set) {
 #endif
 
 // One lane's value of a real, a whole or a natural; can be assigned to.
+#if LANES == 1
+#define LANE_FLOAT(x, l) (x)
+#define LANE_INT(x, l) (x)
+#define LANE_UINT(x, l) (x)
+#else
 #define LANE_FLOAT(x, l) (((float *)&(x))[l])
 #define LANE_INT(x, l) (((int *)&(x))[l])
 #define LANE_UINT(x, l) (((uint *)&(x))[l])
+#endif
 
 typedef struct {
     real x, y, z;

@@ -15,36 +15,36 @@ void single_light(const Scene *scene, Path *path, const Shadow *shadow, Counts *
         path->radiance.xyz += shadow->light;
 }
 
-// Takes up to `budget` flights; returns how many. The path is then out, done, or still inside.
-uint single_walk(const Scene *scene, Path *path, uint budget, Counts *counts) {
+// Takes up to *budget flights and counts them down. The path is then out, done, or still inside. Returns the direct light of
+// its exit that is yet to be asked for.
+Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts) {
     WalkLanes lanes;
     RayStream stream;
     lane_load(scene, &lanes, 0u, path, 0u);
-    for (uint steps = 1u; steps <= budget; steps++) {
+    for (; *budget > 0u; *budget -= 1u) {
         const TurnEnds ends = walk_turn(scene, &lanes, &stream, 1u, counts);
         if ((ends.left | ends.slipped | ends.ended | ends.capped) == 0u) continue;
-        const Shadow shadow = lane_end(scene, &lanes, &stream, 0u, ends, path, counts);
-        single_light(scene, path, &shadow, counts);
-        return steps;
+        *budget -= 1u;
+        return lane_end(scene, &lanes, &stream, 0u, ends, path, counts);
     }
     lane_store(&lanes, 0u, path);
-    return budget;
+    return no_shadow();
 }
 
 // Goes on until the path is done or has used up its budget.
 void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts, global float4 *layers) {
-    uint used = 0u;
-    while (path->state != PATH_DONE && used < budget) {
+    while (path->state != PATH_DONE && budget > 0u) {
+        Shadow shadow;
         if (path->state == PATH_RAY) {
             const Ray ray = path_ray(path->position.xyz, path->direction.xyz);
             const Hit hit = trace_closest(ray, scene->nodes, scene->blocks,
                                           scene->frame->bvh_root PROFILED(, counts->profile + PROFILE_ray_nodes));
-            const Shadow shadow = path_meet(scene, path, hit, counts, layers);
-            single_light(scene, path, &shadow, counts);
-            used += PATH_RAY_COST;
+            shadow = path_meet(scene, path, hit, counts, layers);
+            budget -= min(budget, PATH_RAY_COST);
         } else {
-            used += single_walk(scene, path, budget - used, counts);
+            shadow = single_walk(scene, path, &budget, counts);
         }
+        single_light(scene, path, &shadow, counts); // in one place: rays are much code
     }
 }
 

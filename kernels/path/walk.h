@@ -104,21 +104,26 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
 Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, Path *path,
                 Counts *counts) {
     const uint bit = 1u << w;
-    lane_store(groups + w / LANES, w % LANES, path);
+    lane_store(GROUP(groups, w / LANES), w % LANES, path);
     COUNT_WALK(counts, path->steps + ((ends.left & bit) != 0u ? 1u : 0u)) // flights: the one that left, too
-    if (ends.left & bit) {
+    bool out = (ends.left & bit) != 0u;
+    float3 position = path->position.xyz, error = (float3)(0.0f), shading = path->direction.xyz, geometric = shading;
+    if (out) {
         const Surface surface = surface_at(scene, stream_ray(stream, w), stream_hit(stream, scene->blocks, w));
-        return path_exit(scene, path, surface.position, surface.error, surface.shading, surface.geometric);
-    }
-    if (ends.slipped & bit) {
+        position = surface.position;
+        error = surface.error;
+        shading = surface.shading;
+        geometric = surface.geometric;
+    } else if (ends.slipped & bit) {
         if (!scene->objects[path->object].closed) {
             path_lose(path, counts, COUNTER_escaped);
             return no_shadow();
         }
         // Rounding let it slip through a closed surface: it leaves where it is, the way it flies.
         counts->value[COUNTER_missed] += 1u;
-        return path_exit(scene, path, path->position.xyz, (float3)(0.0f), path->direction.xyz, path->direction.xyz);
+        out = true;
     }
+    if (out) return path_exit(scene, path, position, error, shading, geometric);
     if (ends.capped & bit) {
         const float3 lost = path->throughput.xyz * path->weight.xyz;
         counts->value[COUNTER_capped_energy] += (uint)fmin(1e9f, (lost.x + lost.y + lost.z) * (COUNTER_ENERGY / 3.0f));

@@ -19,20 +19,20 @@ typedef struct {
 
 // From now on `lane` walks in the object with field `c`.
 void clearance_set(ClearanceLanes *lanes, uint lane, Clearance c) {
-    ((float *)&lanes->corner_x)[lane] = c.corner.x;
-    ((float *)&lanes->corner_y)[lane] = c.corner.y;
-    ((float *)&lanes->corner_z)[lane] = c.corner.z;
-    ((float *)&lanes->edge)[lane] = c.corner.w;
-    ((float *)&lanes->inverse_edge)[lane] = c.inverse_edge;
-    ((float *)&lanes->unit)[lane] = c.unit;
-    ((float *)&lanes->rounding)[lane] = c.rounding;
+    LANE_FLOAT(lanes->corner_x, lane) = c.corner.x;
+    LANE_FLOAT(lanes->corner_y, lane) = c.corner.y;
+    LANE_FLOAT(lanes->corner_z, lane) = c.corner.z;
+    LANE_FLOAT(lanes->edge, lane) = c.corner.w;
+    LANE_FLOAT(lanes->inverse_edge, lane) = c.inverse_edge;
+    LANE_FLOAT(lanes->unit, lane) = c.unit;
+    LANE_FLOAT(lanes->rounding, lane) = c.rounding;
     // Without a field every look-up reads the buffer's first byte, and a unit of 0 makes nothing of it.
-    ((float *)&lanes->last_x)[lane] = convert_float(max(CLEARANCE_BRICK * c.bricks_x, 1u) - 1u);
-    ((float *)&lanes->last_y)[lane] = convert_float(max(CLEARANCE_BRICK * c.bricks_y, 1u) - 1u);
-    ((float *)&lanes->last_z)[lane] = convert_float(max(CLEARANCE_BRICK * c.bricks_z, 1u) - 1u);
-    ((int *)&lanes->bricks_x)[lane] = (int)c.bricks_x;
-    ((int *)&lanes->bricks_y)[lane] = (int)c.bricks_y;
-    ((int *)&lanes->first)[lane] = (int)(c.first / 4u);
+    LANE_FLOAT(lanes->last_x, lane) = convert_float(max(CLEARANCE_BRICK * c.bricks_x, 1u) - 1u);
+    LANE_FLOAT(lanes->last_y, lane) = convert_float(max(CLEARANCE_BRICK * c.bricks_y, 1u) - 1u);
+    LANE_FLOAT(lanes->last_z, lane) = convert_float(max(CLEARANCE_BRICK * c.bricks_z, 1u) - 1u);
+    LANE_INT(lanes->bricks_x, lane) = (int)c.bricks_x;
+    LANE_INT(lanes->bricks_y, lane) = (int)c.bricks_y;
+    LANE_INT(lanes->first, lane) = (int)(c.first / 4u);
 }
 
 // Cell of a coordinate, as a whole number; beyond the grid its nearest one. NaN gives 0.

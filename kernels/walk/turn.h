@@ -19,6 +19,13 @@
 #endif
 #define WALKS_ALL (0xffffffffu >> (32 - LANES * LANE_GROUPS))
 
+// Group g. Of one group without arithmetic on the pointer: Mesa 22.3 crashes on it.
+#if LANE_GROUPS == 1
+#define GROUP(groups, g) (groups)
+#else
+#define GROUP(groups, g) ((groups) + (g))
+#endif
+
 // With so many lanes that may meet the surface it pays to look closer before their rays are traced.
 #ifndef CLEARANCE_MANY
 #define CLEARANCE_MANY (LANES / 4 + 1)
@@ -115,7 +122,7 @@ uint turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, uint f
         trace_stream(stream, flying, scene->nodes, scene->blocks, false PROFILED(, counts->profile + PROFILE_walk_nodes));
         uint onward = 0u;
         FOR_BITS(w, flying) {
-            WalkLanes *lanes = groups + w / LANES;
+            WalkLanes *lanes = GROUP(groups, w / LANES);
             const uint l = w % LANES;
             const Hit hit = stream_hit(stream, scene->blocks, w);
             if (hit.block == BVH_NO_PRIMITIVE) continue;
@@ -167,16 +174,16 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint active, uint lef
 // take each part of the turn one after the other, so that one's rays and look-ups wait for memory together with the other's.
 TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, uint active, Counts *counts) {
     uint flying = 0u;
-    for (uint g = 0u; g < LANE_GROUPS; g++) turn_draw(scene, groups + g);
+    for (uint g = 0u; g < LANE_GROUPS; g++) turn_draw(scene, GROUP(groups, g));
     for (uint g = 0u; g < LANE_GROUPS; g++)
-        flying |= turn_rays(scene, groups + g, group_bits(active, g), stream, g * LANES) << (g * LANES);
+        flying |= turn_rays(scene, GROUP(groups, g), group_bits(active, g), stream, g * LANES) << (g * LANES);
     COUNT_PROFILE(counts, clear_steps, popcount(active & ~flying))
     COUNT_PROFILE(counts, lane_turns, LANE_GROUPS)
     COUNT_PROFILE(counts, lane_active, popcount(active))
     const uint left = turn_trace(scene, groups, stream, flying, counts);
     TurnEnds all = {0u, 0u, 0u, 0u};
     for (uint g = 0u; g < LANE_GROUPS; g++) {
-        const TurnEnds ends = turn_arrive(scene, groups + g, group_bits(active, g), group_bits(left, g));
+        const TurnEnds ends = turn_arrive(scene, GROUP(groups, g), group_bits(active, g), group_bits(left, g));
         all.left |= ends.left << (g * LANES);
         all.slipped |= ends.slipped << (g * LANES);
         all.ended |= ends.ended << (g * LANES);

@@ -72,10 +72,15 @@ void Probes::expect_ran(const Outcome &outcome) {
     EXPECT_EQ(outcome.out.find("Running 0 tests"), std::string::npos) << outcome.out;
 }
 
-std::vector<std::string> Portable::arguments(const std::string &name, const std::vector<std::string> &more) const {
-    std::vector<std::string> all{"--size", GetParam().size,  "--spp",    GetParam().spp,
+std::vector<std::string> options_of(const SmallScene &scene) {
+    std::vector<std::string> all{"--size", scene.size,       "--spp",    scene.spp,
                                  "--aov",  "albedo,N,depth", "--strict", "--quiet"};
-    for (const auto &[what, value] : GetParam().set) all.insert(all.end(), {"--set", what + "=" + value});
+    for (const auto &[what, value] : scene.set) all.insert(all.end(), {"--set", what + "=" + value});
+    return all;
+}
+
+std::vector<std::string> Portable::arguments(const std::string &name, const std::vector<std::string> &more) const {
+    std::vector<std::string> all = options_of(GetParam());
     all.insert(all.end(), more.begin(), more.end());
     return small_render(GetParam().file(), name, all);
 }

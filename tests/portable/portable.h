@@ -16,6 +16,9 @@ struct SmallScene {
 };
 
 std::vector<SmallScene> small_scenes();
+
+/// What `nacre render` is asked to make of the scene.
+std::vector<std::string> options_of(const SmallScene &scene);
 std::string test_name(const testing::TestParamInfo<SmallScene> &info);
 
 /// Seconds after which a program is killed. They take a few, but compiling for rusticl the better part of a minute, and
