@@ -23,7 +23,7 @@ struct Options {
     int pairs = 7;
     int threads = 2;
     int width = 0;
-    std::size_t rays = 200000;
+    std::size_t rays = 1000000; // some 30 ms: threads take one or two to wake
     double triangles = 0;
 };
 
