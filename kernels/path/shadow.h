@@ -18,7 +18,8 @@ Shadow no_shadow(void) {
 
 float largest3(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
 
-bool shadow_asked(const Shadow *shadow) { return largest3(shadow->light) > 0.0f; }
+// NaN asks too: it has to show.
+bool shadow_asked(const Shadow *shadow) { return shadow->light.x + shadow->light.y + shadow->light.z != 0.0f; }
 
 // `light` arrives at `position` along `sample` unless something is in the way.
 Shadow shadow_of(float3 position, float3 error, float3 geometric, const LightSample *sample, float3 light) {
