@@ -37,7 +37,13 @@ Crop crop_that_fits(const Options &options, const scene::Scene &scene, const dev
     return crop;
 }
 
+/// Throws Error{Exit::device} for lanes within lanes.
 device::Device with_lanes(device::Device device, int wanted) {
+    if (wanted > 1 && device.quirks.work_group > 1)
+        throw Error(Exit::device, device.info.name,
+                    fmt::format("walks one path per work-item, its work-items are lanes already; use device.lanes 0 or "
+                                "1, not {}",
+                                wanted));
     if (wanted > 0) device.quirks.lanes = wanted;
     return device;
 }

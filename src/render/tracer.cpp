@@ -7,9 +7,8 @@ namespace {
 
 using namespace shared;
 
-/// How many of a batch's paths can be suspended at once: few take as many steps as that, but all may where the device
-/// allows few steps. One that finds no room goes on.
-/// Workers keep no more than their pools.
+/// How many of a batch's paths can be suspended at once. Workers keep no more than their pools. Elsewhere few paths
+/// take so many steps, but all may where the device allows few; one that finds no room goes on.
 std::uint32_t room_for_suspended(const device::Device &device, std::uint32_t workers, std::uint32_t features,
                                  std::uint32_t capacity) {
     if (workers > 0) return workers * POOL_PATHS;

@@ -40,6 +40,12 @@ TEST_F(Devices, PoclIsTheDefault) {
         EXPECT_EQ(device["name"] == used, device["platform"] == "Portable Computing Language") << device;
 }
 
+TEST_F(Devices, LanesWithinLanesAreRefused) {
+    const auto four = small_render(ball, "out.exr", {"--set", "device.lanes=4"});
+    expect_error(run(four, only({rusticl}, "llvmpipe")), 4, "device.lanes 0 or 1");
+    EXPECT_EQ(run(four, only({pocl})).code, 0);
+}
+
 TEST_F(Devices, PlatformsWithoutADeviceAreSkipped) {
     const auto devices = list(only({clover, rusticl, pocl}));
     ASSERT_EQ(devices.size(), 1u) << devices;
