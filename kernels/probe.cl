@@ -2,6 +2,7 @@
 #include "bsdf/specular.h"
 #include "bsdf/lambert.h"
 #include "flight/flight.h"
+#include "guide/load.h"
 #include "lanes/math.h"
 #include "light/environment.h"
 #include "phase/henyey_greenstein.h"
@@ -14,6 +15,7 @@
 // What a probe is asked; the host's copy is in tests/device/probe.h.
 typedef struct {
     float4 sigma, albedo;
+    float4 walk_anisotropy; // of walks, per channel
     float anisotropy, bleed, thickness; // thickness: slab; 0: half-space; < 0: sphere of radius -thickness
     float a, b, c;                      // free parameters of the other probes
     uint seed, first, reciprocal, entry, count, cap; // cap: scatters after which a walk ends, 0: never
@@ -193,23 +195,38 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_infini
     walk.sigma.y = probe.sigma.y;
     walk.sigma.z = probe.sigma.z;
     walk.albedo = triple(1.0f);
-    walk.anisotropy = probe.anisotropy;
+    walk.anisotropy = triple(probe.anisotropy);
     walk.bleed = probe.bleed;
     walk.reciprocal = (mask)probe.reciprocal;
     walk_begin(&walk, walk_start(scene, 0.5f));
+    GuideLanes guide;
+    const LaneSampler sampler = {probe.seed, i, 0u};
     while (walk.steps < probe.cap) {
         const uint4 words = random_hash((uint4)(probe.seed, i, walk.steps, 10u));
-        walk_arrive(scene, &walk, walk_distance(scene, &walk, random_unit(words.x)), 0, random_unit(words.y),
-                    random_unit(words.z));
+        const DirectionNumbers numbers = {random_unit(words.y), random_unit(words.z), 0.5f};
+        walk_direct(scene, &walk, &guide, 0.5f, 0.5f, numbers, sampler, 1u);
+        walk_arrive(scene, &walk, &guide, walk_distance(scene, &walk, &guide, random_unit(words.x)), 0);
     }
     out[i] = (float4)(walk.position.x, walk.position.y, walk.position.z, 0.0f);
+}
+
+// The guide of a walk that enters at the origin along z. A sphere is a slab of its diameter.
+void probe_guide(Probe probe, global const GuideMode *modes, GuideLanes *guide) {
+    guide->outward.x = guide->outward.y = guide->offset = 0.0f;
+    guide->outward.z = -1.0f;
+    guide->thickness = probe.thickness > 0.0f ? probe.thickness : probe.thickness < 0.0f ? -2.0f * probe.thickness : GUIDE_THICK;
+    guide->far_light = probe.a;
+    guide->tries = 0u;
+    mode_load(&guide->x, 0u, modes, probe.walk_anisotropy.x);
+    mode_load(&guide->y, 0u, modes + 1, probe.walk_anisotropy.y);
+    mode_load(&guide->z, 0u, modes + 2, probe.walk_anisotropy.z);
 }
 
 // `count` walks per work-item. out, per work-item: [0] sum of what leaves on the entry's side (rgb; count of walks that left
 // without a scatter), [1] squares, [2] sum of what leaves on the other side (w: largest weight), [3] squares (w: path
 // length), [4..5] walks that left after 0..7 scatters.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
-    global const Frame *frame, Probe probe, global float4 *out) {
+    global const Frame *frame, Probe probe, global float4 *out, global const GuideMode *modes) {
     Scene view = {frame};
     const Scene *scene = &view;
     float4 near = (float4)(0.0f), near2 = (float4)(0.0f), far = (float4)(0.0f), far2 = (float4)(0.0f);
@@ -229,21 +246,28 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
         walk.albedo.x = probe.albedo.x;
         walk.albedo.y = probe.albedo.y;
         walk.albedo.z = probe.albedo.z;
-        walk.anisotropy = probe.anisotropy;
+        walk.anisotropy.x = probe.walk_anisotropy.x;
+        walk.anisotropy.y = probe.walk_anisotropy.y;
+        walk.anisotropy.z = probe.walk_anisotropy.z;
         walk.bleed = probe.bleed;
         walk.reciprocal = (mask)probe.reciprocal;
         walk_begin(&walk, walk_start(scene, first.x));
+        GuideLanes guide;
+        if (GUIDED) probe_guide(probe, modes, &guide);
+        const LaneSampler lane = {sampler.key, sampler.sample, sampler.vertex};
         float length = 0.0f;
         for (;;) {
             const uint4 words = draw_bits(sampler, DRAW_WALK, walk.steps);
-            if (walk_chooses(scene))
-                walk_choose(scene, &walk, random_unit(draw_bits(sampler, DRAW_WALK_CHANNEL, walk.steps).x));
-            const float distance = walk_distance(scene, &walk, walk.steps == 0u ? first.y : random_unit(words.x));
+            const uint4 choice = draw_bits(sampler, DRAW_WALK_CHOICE, walk.steps);
+            if (walk_chooses(scene)) walk_choose(scene, &walk, random_unit(choice.x));
+            const DirectionNumbers numbers = {random_unit(words.y), random_unit(words.z), random_unit(choice.z)};
+            if (walk_direct(scene, &walk, &guide, random_unit(choice.y), random_unit(choice.w), numbers, lane, 1u) != 0u) continue;
+            const float distance = walk_distance(scene, &walk, &guide, walk.steps == 0u ? first.y : random_unit(words.x));
             bool back;
             const float exit = body_exit(probe.thickness, (float3)(walk.position.x, walk.position.y, walk.position.z),
                                          (float3)(walk.direction.x, walk.direction.y, walk.direction.z), &back);
             if (distance >= exit) {
-                walk_arrive(scene, &walk, exit, 1, random_unit(words.y), random_unit(words.z));
+                walk_arrive(scene, &walk, &guide, exit, 1);
                 const float4 weight = (float4)(walk.weight.x, walk.weight.y, walk.weight.z, 0.0f);
                 if (back) {
                     far += weight;
@@ -259,7 +283,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
                 break;
             }
             length += distance;
-            walk_arrive(scene, &walk, distance, 0, random_unit(words.y), random_unit(words.z));
+            walk_arrive(scene, &walk, &guide, distance, 0);
             if (!bits(walk_roulette(&walk, random_unit(words.w), 0))) {
                 if (!(walk.weight.x >= 0.0f)) near.x = NAN; // shows in the test
                 break;

@@ -59,7 +59,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_lane_w
     walk.sigma.y = (real)(2.0f);
     walk.albedo = triple((real)(0.7f));
     walk.albedo.z = (real)(0.2f);
-    walk.anisotropy = pick((x & 1u) != 0u, (real)(0.8f), none);
+    walk.anisotropy.x = pick((x & 1u) != 0u, (real)(0.8f), none);
     walk.bleed = pick((x & 2u) != 0u, (real)(0.5f), none);
     walk.reciprocal = (x & 4u) != 0u;
     const real xi = lane_unit(lane_hash(x, zero, zero, zero).x);
@@ -76,16 +76,24 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_lane_w
     }
     const mask yes = zero == 0u, no = zero == 1u;
     mask alive = yes;
+    GuideLanes guide; // these walks have none
+    LaneSampler sampler;
+    sampler.key = sampler.sample = sampler.vertex = x;
     real distance = none;
     for (uint step = 0u; step < 8u; ++step) {
         const Natural4 w = lane_hash(x, zero + step, zero + 1u, zero);
         if (walk_chooses(scene)) walk_choose(scene, &walk, lane_unit(lane_hash(x, zero + step, zero + 2u, zero).x));
-        distance = walk_distance(scene, &walk, lane_unit(w.x));
-        walk_arrive(scene, &walk, distance, no, lane_unit(w.y), lane_unit(w.z));
+        DirectionNumbers numbers;
+        numbers.cosine = lane_unit(w.y);
+        numbers.azimuth = lane_unit(w.z);
+        numbers.keep = none;
+        walk_direct(scene, &walk, &guide, numbers.cosine, numbers.cosine, numbers, sampler, LANES_ALL);
+        distance = walk_distance(scene, &walk, &guide, lane_unit(w.x));
+        walk_arrive(scene, &walk, &guide, distance, no);
         alive &= walk_roulette(&walk, lane_unit(w.w), no);
     }
     const Flight flight = walk_flight(&walk);
-    walk_arrive(scene, &walk, distance, yes, (real)(0.5f), (real)(0.5f));
+    walk_arrive(scene, &walk, &guide, distance, yes);
     out[i] = walk.weight.x;
     out[n + i] = walk.weight.y;
     out[2u * n + i] = walk.weight.z;

@@ -1,5 +1,6 @@
 // Entry points of the renderer. Their names are stable, for profilers.
 #include "film/accumulate.h"
+#include "guide/sides.h"
 #include "path/source.h"
 #if LANES == 1
 #include "path/single.h"
@@ -34,6 +35,14 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void accumulate(
     film_accumulate(batch.first_pixel + i, batch.sample_count, i * batch.sample_count, radiance, layers, planes, film);
 }
 
+// Direct light on points of surfaces, each given as a position and a unit normal: SIDE_SAMPLES samples of it per point.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void light_points(
+    SCENE_PARAMETERS, global const float4 *points, uint count, global float *irradiance) {
+    const Scene view = {SCENE_ARGUMENTS}, *scene = &view;
+    const uint i = get_global_id(0);
+    if (i < count) irradiance[i] = side_light(scene, i, points[2u * i].xyz, points[2u * i + 1u].xyz);
+}
+
 // Sizes of the shared structs as the device sees them; the host compares.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void layout(global uint *sizes) {
     if (get_global_id(0) != 0) return;
@@ -47,4 +56,6 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void layout(globa
     sizes[7] = sizeof(Path);
     sizes[8] = sizeof(Batch);
     sizes[9] = sizeof(Clearance);
+    sizes[10] = sizeof(GuideMode);
+    sizes[11] = sizeof(LightSides);
 }

@@ -33,7 +33,7 @@ inline Words random_hash(Words v) {
 inline float random_unit(std::uint32_t bits) { return (float(std::int32_t(bits >> 9)) + 0.5f) * 0x1p-23f; }
 
 /// kernels/random/sampler.h: the names of draws that a walk and its exit make, and their number.
-enum Draw : std::uint32_t { DRAW_DIRECTION = 4, DRAW_WALK = 11, DRAW_COUNT = 13 };
+enum Draw : std::uint32_t { DRAW_DIRECTION = 4, DRAW_WALK = 11, DRAW_COUNT = 14 };
 
 struct Sampler {
     std::uint32_t key, sample, vertex;

@@ -62,7 +62,15 @@ class Walker {
         std::uint32_t depth = path.depth;
         for (std::uint32_t step = 0;; step++) {
             const std::uint32_t k = step % Draws::size;
-            if (k == 0) draws.fill<Anisotropic>(sampler, step, path.anisotropy);
+            if (k == 0) draws.fill<Anisotropic>(sampler, step, path.anisotropy.x);
+            if (step > 0) {
+                if constexpr (Anisotropic) {
+                    direction = to_world(draws.x[k] * draws.w[k], draws.x[k] * draws.z[k], draws.y[k], direction);
+                    direction *= 1 / std::sqrt(sum3(direction * direction));
+                } else {
+                    direction = Four{draws.x[k], draws.y[k], draws.z[k], 0};
+                }
+            }
             const float length = (step == 0 ? -fast_log(path.first_number) : draws.depth[k]) * free_path;
             if (leaves(position, direction, std::min(length, beyond) + rounding, depth)) {
                 weigh(share, fast_exp(sigma * -query.ray.tfar));
@@ -78,12 +86,6 @@ class Walker {
             weigh(share, sigma * fast_exp(sigma * -length));
             weight *= albedo;
             position += direction * length;
-            if constexpr (Anisotropic) {
-                direction = to_world(draws.x[k] * draws.w[k], draws.x[k] * draws.z[k], draws.y[k], direction);
-                direction *= 1 / std::sqrt(sum3(direction * direction));
-            } else {
-                direction = Four{draws.x[k], draws.y[k], draws.z[k], 0};
-            }
             const float heaviest = largest3(weight);
             if (heaviest < roulette_below) {
                 if (!(draws.roulette[k] * roulette_below < heaviest)) return step + 1;
@@ -165,7 +167,7 @@ std::uint64_t walk_with_embree(const EmbreeScene &scene, std::span<const Path> p
         std::uint64_t taken = 0;
         for (std::size_t first; (first = next.fetch_add(paths_at_once)) < paths.size();)
             for (const Path &path : paths.subspan(first, std::min(paths_at_once, paths.size() - first)))
-                taken += path.anisotropy != 0 ? walker.walk<true>(path, radiance[path.slot])
+                taken += path.anisotropy.x != 0 ? walker.walk<true>(path, radiance[path.slot])
                                               : walker.walk<false>(path, radiance[path.slot]);
         steps += taken;
     };

@@ -33,6 +33,7 @@ scene::Scene walk_scene(const scene::Mesh &mesh, double mean_free_path, double a
     material[PARAMETER_subsurface_scatter_anisotropy].value = Vec3::Constant(anisotropy);
     scene.objects.push_back({.name = "mesh", .mesh = mesh});
     scene.lights.emplace_back(); // an environment of radiance 1
+    scene.render.guiding = GUIDING_NONE; // both sides walk classically
     scene.render.max_depth = 1;  // the ray after the exit is the last
     return scene;
 }
@@ -70,7 +71,7 @@ std::vector<Path> walk_entries(const scene::Scene &scene, std::span<const accel:
         path.share = {1 / 3.0f, 1 / 3.0f, 1 / 3.0f, 0};
         path.sigma = render::to_float4(free_path.cwiseInverse());
         path.albedo = render::to_float4(albedo);
-        path.anisotropy = float(g);
+        path.anisotropy = {float(g), float(g), float(g), 0};
         path.first_number = (float(random() >> 9) + 0.5f) * 0x1p-23f; // as random_unit: never 0 or 1
         path.channel = random() % 3;
         path.slot = uint(i);

@@ -76,6 +76,21 @@ typedef struct {
     real x, y, z;
 } real3;
 
+real3 triple(real x) {
+    real3 r;
+    r.x = x;
+    r.y = x;
+    r.z = x;
+    return r;
+}
+
+real largest(real3 v) { return max(v.x, max(v.y, v.z)); }
+
+real dot3(real3 a, real3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+
+// Of three channels' values that of `channel`, 0 to 2.
+real channel_of(real x, real y, real z, whole channel) { return pick(channel == 0, x, pick(channel == 1, y, z)); }
+
 real3 pick3(mask m, real3 a, real3 b) {
     real3 r;
     r.x = pick(m, a.x, b.x);

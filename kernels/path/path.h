@@ -33,9 +33,10 @@ Path path_begin(const Scene *scene, uint x, uint y, uint sample, uint slot) {
     path.share = (float4)(0.0f);
     path.sigma = (float4)(0.0f);
     path.albedo = (float4)(0.0f);
-    path.anisotropy = path.bleed = path.first_number = 0.0f;
-    path.object = path.flight = path.max_depth = path.channel = path.steps = path.depth = 0u;
-    path.pad = 0u;
+    path.anisotropy = (float4)(0.0f);
+    path.outward = (float4)(0.0f);
+    path.bleed = path.first_number = path.thickness = path.far_light = 0.0f;
+    path.object = path.flight = path.max_depth = path.channel = path.steps = path.depth = path.tries = 0u;
     const Sampler sampler = sampler_of(scene->frame->seed, path.pixel, sample, 0u);
     const float2 lens = HAS(LENS) ? draw_pair(sampler, DRAW_LENS) : (float2)(0.0f);
     float3 origin, direction;
@@ -193,6 +194,22 @@ Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global
     const Shadow shadow = path_scatter(scene, path, material, &surface, -ray.direction, counts);
     path_roulette(scene, path, counts);
     return shadow;
+}
+
+// The ray that a path waits for, and the tree it goes through: its next one, or the probe of its walk.
+Ray next_ray(const Scene *scene, const Path *path) {
+    return GUIDED && path->state == PATH_PROBE ? guide_probe(path) : path_ray(path->position.xyz, path->direction.xyz);
+}
+
+uint ray_root(const Scene *scene, const Path *path) {
+    return GUIDED && path->state == PATH_PROBE ? scene->objects[path->object].walk_root : scene->frame->bvh_root;
+}
+
+Shadow next_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
+    if (!GUIDED || path->state != PATH_PROBE) return path_meet(scene, path, hit, counts, layers);
+    counts->value[COUNTER_probe_rays] += 1u;
+    path_probed(path, hit);
+    return no_shadow();
 }
 
 #endif

@@ -35,11 +35,10 @@ Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts)
 void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts, global float4 *layers) {
     while (path->state != PATH_DONE && budget > 0u) {
         Shadow shadow;
-        if (path->state == PATH_RAY) {
-            const Ray ray = path_ray(path->position.xyz, path->direction.xyz);
-            const Hit hit = trace_closest(ray, scene->nodes, scene->blocks,
-                                          scene->frame->bvh_root PROFILED(, counts->profile + PROFILE_ray_nodes));
-            shadow = path_meet(scene, path, hit, counts, layers);
+        if (path->state != PATH_WALK) {
+            const Hit hit = trace_closest(next_ray(scene, path), scene->nodes, scene->blocks,
+                                          ray_root(scene, path) PROFILED(, counts->profile + PROFILE_ray_nodes));
+            shadow = next_meet(scene, path, hit, counts, layers);
             budget -= min(budget, PATH_RAY_COST);
         } else {
             shadow = single_walk(scene, path, &budget, counts);

@@ -2,6 +2,7 @@
 #ifndef NACRE_PATH_WALK_H
 #define NACRE_PATH_WALK_H
 
+#include "guide/load.h"
 #include "path/light.h"
 #include "walk/medium.h"
 #include "walk/turn.h"
@@ -21,11 +22,21 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     path->depth = 1u;
     path->steps = 0u;
     path->state = PATH_WALK;
+    if (GUIDED) {
+        guide_begin(scene, path, surface->position, surface->geometric);
+        path->state = PATH_PROBE;
+    }
     const WalkStart start = walk_start(scene, first.x);
     path->weight.xyz = start.weight;
     path->share.xyz = start.share;
     path->channel = start.channel;
     counts->value[COUNTER_walks] += 1u;
+}
+
+// What the probe of a guided walk has met; now it may walk.
+void path_probed(Path *path, Hit hit) {
+    path->thickness = hit.block == BVH_NO_PRIMITIVE ? GUIDE_THICK : hit.t;
+    path->state = PATH_WALK;
 }
 
 // Out at `position`: lit there with Lambert's response about `shading`, without surface colour.
@@ -67,16 +78,20 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const Path *path, u
     LANE_FLOAT(walk->albedo.x, l) = path->albedo.x;
     LANE_FLOAT(walk->albedo.y, l) = path->albedo.y;
     LANE_FLOAT(walk->albedo.z, l) = path->albedo.z;
-    LANE_FLOAT(walk->anisotropy, l) = path->anisotropy;
+    LANE_FLOAT(walk->anisotropy.x, l) = path->anisotropy.x;
+    if (HAS(ANISOTROPY_RGB)) {
+        LANE_FLOAT(walk->anisotropy.y, l) = path->anisotropy.y;
+        LANE_FLOAT(walk->anisotropy.z, l) = path->anisotropy.z;
+    }
     LANE_FLOAT(walk->bleed, l) = path->bleed;
     LANE_INT(walk->reciprocal, l) = path->flight == FLIGHT_RECIPROCAL ? MASK_TRUE : 0;
     LANE_INT(walk->channel, l) = (int)path->channel;
     LANE_FLOAT(walk->first_number, l) = path->first_number;
     LANE_UINT(walk->steps, l) = path->steps;
     const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
-    LANE_UINT(lanes->key, l) = sampler.key;
-    LANE_UINT(lanes->sample, l) = sampler.sample;
-    LANE_UINT(lanes->vertex, l) = sampler.vertex;
+    LANE_UINT(lanes->sampler.key, l) = sampler.key;
+    LANE_UINT(lanes->sampler.sample, l) = sampler.sample;
+    LANE_UINT(lanes->sampler.vertex, l) = sampler.vertex;
     global const Object *object = scene->objects + path->object;
     LANE_UINT(lanes->root, l) = object->walk_root;
     LANE_UINT(lanes->depth, l) = path->depth;
@@ -84,6 +99,7 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const Path *path, u
     LANE_UINT(lanes->path, l) = at;
     LANE_FLOAT(lanes->clear, l) = 0.0f;
     if (HAS(CLEARANCE)) clearance_set(&lanes->field, l, object->clearance);
+    if (GUIDED) guide_load(scene, &lanes->guide, l, path);
 }
 
 // Takes what a walk changes back into its path.
@@ -98,6 +114,7 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
     path->channel = (uint)LANE_INT(walk->channel, l);
     path->steps = LANE_UINT(walk->steps, l);
     path->depth = LANE_UINT(lanes->depth, l);
+    path->tries = LANE_UINT(lanes->guide.tries, l);
 }
 
 // What became of walk w of a turn, one of those that `ends` names: out, or lost.

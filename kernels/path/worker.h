@@ -50,7 +50,7 @@ void worker_ask_light(const Scene *scene, Worker *worker, uint at, const Shadow 
 // Puts a path where its state says.
 void worker_file(Worker *worker, const Launch *launch, uint at, Counts *counts) {
     const uint state = worker->pool[at].state;
-    if (state == PATH_RAY) {
+    if (state == PATH_RAY || state == PATH_PROBE) {
         worker->rays[worker->ray_count++] = (ushort)at;
     } else if (state == PATH_WALK) {
         worker->walks[worker->walk_count++] = (ushort)at;
@@ -88,15 +88,15 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
     for (uint first = 0; first < count; first += STREAM_RAYS) {
         const uint part = min((uint)STREAM_RAYS, count - first);
         for (uint i = 0; i < part; i++) {
-            global const Path *path = worker->pool + worker->rays[first + i];
-            stream_put(&worker->stream, i, path_ray(path->position.xyz, path->direction.xyz), scene->frame->bvh_root);
+            const Path path = worker->pool[worker->rays[first + i]];
+            stream_put(&worker->stream, i, next_ray(scene, &path), ray_root(scene, &path));
         }
         trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks,
                      false PROFILED(, counts->profile + PROFILE_ray_nodes));
         for (uint i = 0; i < part; i++) {
             const uint at = worker->rays[first + i];
             Path path = worker->pool[at];
-            const Shadow shadow = path_meet(scene, &path, stream_hit(&worker->stream, scene->blocks, i), counts,
+            const Shadow shadow = next_meet(scene, &path, stream_hit(&worker->stream, scene->blocks, i), counts,
                                             launch->layers + 2u * path.slot);
             worker->pool[at] = path;
             worker_ask_light(scene, worker, at, &shadow, counts);

@@ -18,7 +18,8 @@ typedef enum {
     DRAW_TEXEL,      // of an environment image
     DRAW_ROULETTE,
     DRAW_WALK,       // one per flight of a walk: length, cosine, azimuth, roulette
-    DRAW_WALK_CHANNEL,
+    DRAW_WALK_CHOICE, // one per flight: channel, technique, whether to keep a guided direction, technique of the length
+    DRAW_WALK_AGAIN,  // further tries of guided directions: cosine, azimuth, whether to keep it
     DRAW_COUNT
 } Draw;
 
@@ -45,8 +46,12 @@ uint4 draw_bits(Sampler sampler, Draw name, uint step) {
 }
 
 // The same for each lane of a turn.
-Natural4 lane_draw(natural key, natural sample, natural vertex, Draw name, natural step) {
-    return lane_hash(key, sample, vertex * (uint)DRAW_COUNT + (uint)name, step);
+typedef struct {
+    natural key, sample, vertex;
+} LaneSampler;
+
+Natural4 lane_draw(LaneSampler sampler, Draw name, natural step) {
+    return lane_hash(sampler.key, sampler.sample, sampler.vertex * (uint)DRAW_COUNT + (uint)name, step);
 }
 
 // Two words; their upper bits are the even ones.

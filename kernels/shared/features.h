@@ -12,6 +12,9 @@
     X(EMISSION)          /* a mesh that emits */                                                                       \
     X(BLEED)             /* Davis-Xu flights: bleed > 0 somewhere */                                                   \
     X(ANISOTROPY)        /* Henyey-Greenstein with g != 0 somewhere */                                                 \
+    X(ANISOTROPY_RGB)    /* g differs between the channels somewhere */                                                \
+    X(GUIDE_EIGEN)       /* walks follow their medium's slowest mode */                                                \
+    X(GUIDE_DWIVEDI)     /* walks are guided as in the memo */                                                         \
     X(SMOOTH)            /* vertex normals */                                                                          \
     X(TEXTURES)          /* a material parameter is an image; brings texture coordinates */                            \
     X(NORMAL_MAP)        /* a material has geometry_normal */                                                          \

@@ -6,7 +6,7 @@
 
 SHARED_BEGIN
 
-enum PathState { PATH_RAY, PATH_WALK, PATH_DONE };
+enum PathState { PATH_RAY, PATH_PROBE, PATH_WALK, PATH_DONE }; // probe: about to walk, once its thickness is known
 
 struct Path {
     float4 position;   // start of the next ray or flight
@@ -17,7 +17,9 @@ struct Path {
     float4 share;      // walk: P_c, probability of each channel as the one that draws the flight
     float4 sigma;      // walk: extinction per channel
     float4 albedo;     // walk: single-scattering albedo per channel
-    float anisotropy, bleed;
+    float4 anisotropy; // walk: g per channel
+    float4 outward;    // walk: the near side's normal, as its guide sees it; w: dot(normal, entry)
+    float bleed;
     float first_number; // walk: the random number of its first flight
     uint slot;         // of the batch: where its radiance goes
     uint pixel, sample;
@@ -26,7 +28,10 @@ struct Path {
     uint object, flight, max_depth, channel; // walk
     uint steps, depth; // walk: scatters so far; shells it is inside of
     uint hits;         // surfaces its rays have met
-    uint pad;
+    float thickness;   // walk: from the near to the far side
+    float far_light;   // walk: light on the far side over that on the near side
+    uint tries;        // walk: directions that its guide refused
+    uint pad[3];
 };
 
 // One launch: `pixel_count` pixels from `first_pixel` on (in tile order), samples [first_sample, first_sample + sample_count) each.

@@ -67,7 +67,9 @@ struct Material {
     int entry;                     // Entry
     uint max_depth;                // scatters a walk may have, 0: no cap
     float radius_scale;            // of a texture of radii, to the kernels' units (value[] has it already)
-    float pad;
+    uint guide_first[3];           // its first GuideMode, per channel
+    uint guide_anisotropies;       // 1: made for its anisotropy; else for any, see shared/guide.h
+    uint pad;
 };
 
 // RGBA or one channel, half floats, linear, row 0 at v = 1 (the top of the picture).

@@ -5,6 +5,7 @@
 #include "shared/bvh.h"
 #include "shared/counters.h"
 #include "shared/features.h"
+#include "shared/guide.h"
 #include "shared/path.h"
 #include "shared/scene.h"
 
@@ -34,6 +35,8 @@ typedef struct {
     global const AliasEntry *environment_table;
     global const float4 *environment;   // rgb and share of the light, per texel
     global const uint *clearance;       // fields of the objects, four cells per word: shared/clearance.h
+    global const GuideMode *modes;      // of the materials
+    global const LightSides *sides;     // of the objects
 } Scene;
 
 #define SCENE_PARAMETERS                                                                                               \
@@ -41,11 +44,12 @@ typedef struct {
         global const uint *triangles, global const float *normals, global const float *uvs,                          \
         global const Material *materials, global const Texture *textures, global const half *texels,                  \
         global const Light *lights, global const AliasEntry *light_table, global const AliasEntry *environment_table, \
-        global const float4 *environment, global const uint *clearance
+        global const float4 *environment, global const uint *clearance, global const GuideMode *modes, \
+        global const LightSides *sides
 
 #define SCENE_ARGUMENTS                                                                                                \
     frame, nodes, blocks, objects, triangles, normals, uvs, materials, textures, texels, lights, light_table,         \
-        environment_table, environment, clearance
+        environment_table, environment, clearance, modes, sides
 
 // HAS(x): does this scene need x? Known at compile time, or with --generic asked of the scene at run time.
 #ifdef GENERIC

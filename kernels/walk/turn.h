@@ -37,13 +37,14 @@ typedef struct {
     Walk walk;
     ClearanceLanes field;         // of each walk's object
     real clear;                   // lower bound on the distance from its position to the surface
-    natural key, sample, vertex;  // its Sampler
+    LaneSampler sampler;
+    GuideLanes guide;
     natural root;                 // of its object's tree
     natural depth;                // shells it is inside of
     natural max_depth;            // scatters it may have, 0: no cap
     natural path;                 // where the rest of its path is kept
     // Of this turn's flight:
-    Natural4 words;               // its random numbers: length, cosine, azimuth, roulette
+    Natural4 words;               // its random numbers: DRAW_WALK
     real rounding;                // of its start
     real clear_end;               // `clear` at its end
     real distance;                // to its end, or to where it leaves
@@ -66,18 +67,28 @@ real clearance_along(const Scene *scene, const WalkLanes *lanes, real t) {
 // Longer than any way through the scene.
 float turn_beyond(const Scene *scene) { return 4.0f * scene->frame->scene_radius; }
 
-// Draws the flights of a group's lanes.
-void turn_draw(const Scene *scene, WalkLanes *lanes) {
+// Draws the flights of a group's lanes. Returns the lanes of `active` that wait for a direction: they have no flight in this turn.
+uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
     Walk *walk = &lanes->walk;
-    lanes->words = lane_draw(lanes->key, lanes->sample, lanes->vertex, DRAW_WALK, walk->steps);
-    if (walk_chooses(scene)) {
-        const Natural4 words = lane_draw(lanes->key, lanes->sample, lanes->vertex, DRAW_WALK_CHANNEL, walk->steps);
-        walk_choose(scene, walk, lane_unit(words.x));
+    lanes->words = lane_draw(lanes->sampler, DRAW_WALK, walk->steps);
+    DirectionNumbers numbers;
+    numbers.cosine = lane_unit(lanes->words.y);
+    numbers.azimuth = lane_unit(lanes->words.z);
+    real xi_technique = numbers.cosine, xi_length = numbers.cosine;
+    if (walk_chooses(scene) || GUIDED) {
+        const Natural4 choice = lane_draw(lanes->sampler, DRAW_WALK_CHOICE, walk->steps);
+        if (walk_chooses(scene)) walk_choose(scene, walk, lane_unit(choice.x));
+        xi_technique = lane_unit(choice.y);
+        numbers.keep = lane_unit(choice.z);
+        xi_length = lane_unit(choice.w);
     }
+    const uint waiting =
+        walk_direct(scene, walk, &lanes->guide, xi_technique, xi_length, numbers, lanes->sampler, active);
     const real number = pick(walk->steps == 0u, walk->first_number, lane_unit(lanes->words.x));
-    lanes->distance = min(walk_distance(scene, walk, number), (real)(turn_beyond(scene)));
+    lanes->distance = min(walk_distance(scene, walk, &lanes->guide, number), (real)(turn_beyond(scene)));
     lanes->rounding =
         POSITION_ROUNDING * max(fabs(walk->position.x), max(fabs(walk->position.y), fabs(walk->position.z)));
+    return waiting;
 }
 
 // Narrows [*near, *far], the part of a flight that is not known to be clear, from both ends: what a ball about an end reaches
@@ -142,54 +153,52 @@ uint turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, uint f
     return left;
 }
 
-// Ends the flights of a group: at the surface those that `left`, else in a scatter.
-TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint active, uint left_bits) {
+// Ends the flights of the lanes `flown` of a group: at the surface those that `left`, else in a scatter. Others stay as they were.
+TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left_bits) {
     Walk *walk = &lanes->walk;
     const float outside2 = 1.01f * scene->frame->scene_radius * scene->frame->scene_radius; // no object reaches there
-    const real from_centre2 = fma(walk->position.x, walk->position.x,
-                                  fma(walk->position.y, walk->position.y, walk->position.z * walk->position.z));
     TurnEnds ends;
     ends.left = left_bits;
-    ends.slipped = bits((lanes->distance >= turn_beyond(scene)) | (from_centre2 > outside2)) & active & ~left_bits;
-    Walk before;
-    if (ends.slipped != 0u) before = *walk;
-
-    const mask left = mask_of(left_bits);
-    walk_arrive(scene, walk, lanes->distance, left, lane_unit(lanes->words.y), lane_unit(lanes->words.z));
-    if (HAS(CLEARANCE)) lanes->clear = lanes->clear_end;
-    const mask survives = walk_roulette(walk, lane_unit(lanes->words.w), left);
-    const uint under_way = active & ~ends.left & ~ends.slipped;
-    ends.ended = under_way & ~bits(survives);
-    ends.capped = under_way & ~ends.ended & bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));
-    if (ends.slipped != 0u) {
-        const mask slipped = mask_of(ends.slipped);
-        walk->position = pick3(slipped, before.position, walk->position);
-        walk->direction = pick3(slipped, before.direction, walk->direction);
-        walk->weight = pick3(slipped, before.weight, walk->weight);
-    }
+    ends.slipped = bits((lanes->distance >= turn_beyond(scene)) | (dot3(walk->position, walk->position) > outside2)) &
+                   flown & ~left_bits;
+    const mask left = mask_of(left_bits), moves = mask_of(flown & ~ends.slipped);
+    const real3 position = walk->position, weight = walk->weight, share = walk->share;
+    const natural steps = walk->steps;
+    walk_arrive(scene, walk, &lanes->guide, lanes->distance, left);
+    walk->position = pick3(moves, walk->position, position);
+    walk->weight = pick3(moves, walk->weight, weight);
+    walk->share = pick3(moves, walk->share, share);
+    walk->steps = pick(moves, walk->steps, steps);
+    if (HAS(CLEARANCE)) lanes->clear = pick(moves, lanes->clear_end, lanes->clear);
+    const mask survives = walk_roulette(walk, lane_unit(lanes->words.w), left | (moves == 0));
+    ends.ended = flown & ~bits(survives);
+    ends.capped = flown & ~ends.left & ~ends.slipped & ~ends.ended &
+                  bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));
     return ends;
 }
 
-// One flight of every walk in `active`, bit g LANES + l for lane l of group g; the other lanes compute along, unheeded. The groups
+// One flight of every walk in `active`, bit g LANES + l for lane l of group g, that gets a direction for it; the other lanes compute along, unheeded. The groups
 // take each part of the turn one after the other, so that one's rays and look-ups wait for memory together with the other's.
 TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, uint active, Counts *counts) {
-    uint flying = 0u;
-    for (uint g = 0u; g < LANE_GROUPS; g++) turn_draw(scene, GROUP(groups, g));
+    uint waiting = 0u, flying = 0u;
     for (uint g = 0u; g < LANE_GROUPS; g++)
-        flying |= turn_rays(scene, GROUP(groups, g), group_bits(active, g), stream, g * LANES) << (g * LANES);
-    COUNT_PROFILE(counts, clear_steps, popcount(active & ~flying))
+        waiting |= turn_draw(scene, GROUP(groups, g), group_bits(active, g)) << (g * LANES);
+    const uint flown = active & ~waiting;
+    for (uint g = 0u; g < LANE_GROUPS; g++)
+        flying |= turn_rays(scene, GROUP(groups, g), group_bits(flown, g), stream, g * LANES) << (g * LANES);
+    COUNT_PROFILE(counts, clear_steps, popcount(flown & ~flying))
     COUNT_PROFILE(counts, lane_turns, LANE_GROUPS)
     COUNT_PROFILE(counts, lane_active, popcount(active))
     const uint left = turn_trace(scene, groups, stream, flying, counts);
     TurnEnds all = {0u, 0u, 0u, 0u};
     for (uint g = 0u; g < LANE_GROUPS; g++) {
-        const TurnEnds ends = turn_arrive(scene, GROUP(groups, g), group_bits(active, g), group_bits(left, g));
+        const TurnEnds ends = turn_arrive(scene, GROUP(groups, g), group_bits(flown, g), group_bits(left, g));
         all.left |= ends.left << (g * LANES);
         all.slipped |= ends.slipped << (g * LANES);
         all.ended |= ends.ended << (g * LANES);
         all.capped |= ends.capped << (g * LANES);
     }
-    counts->value[COUNTER_steps] += popcount(active);
+    counts->value[COUNTER_steps] += popcount(flown);
     return all;
 }
 

@@ -8,12 +8,13 @@
 //     albedo      P proportional to the albedo (Fig 2, centre)
 //     throughput  P proportional to W (Fig 2, right)
 //     hero        P proportional to the product of channel c's pdfs so far: one channel drawn per walk, balance over walks
-// The phase function is the same for all channels and cancels.
+// p is the density of direction and flight over all techniques (guide/guide.h) that draw them for channel c. The phase function
+// cancels, unless it differs between the channels.
 #ifndef NACRE_WALK_WALK_H
 #define NACRE_WALK_WALK_H
 
-#include "flight/flight.h"
-#include "phase/henyey_greenstein.h"
+#include "guide/dwivedi.h"
+#include "guide/eigen.h"
 
 // Walks whose largest weight is below this play Russian roulette; survivors are raised to it.
 #ifndef WALK_ROULETTE
@@ -25,7 +26,9 @@ typedef struct {
     real3 weight;  // W_c
     real3 share;   // P_c
     real3 sigma, albedo;
-    real anisotropy, bleed;
+    real3 anisotropy; // g of each channel; without ANISOTROPY_RGB all have x
+    real3 phase;      // with it: phase functions of the last change of direction
+    real bleed;
     mask reciprocal; // flight law
     whole channel;   // drawn for the next flight: 0, 1, 2
     real first_number;
@@ -40,21 +43,9 @@ real3 real3_of(float3 v) {
     return r;
 }
 
-real3 triple(real x) {
-    real3 r;
-    r.x = x;
-    r.y = x;
-    r.z = x;
-    return r;
-}
-
-real largest(real3 v) { return max(v.x, max(v.y, v.z)); }
-
 whole choose_channel(real3 share, real xi) {
     return pick(xi < share.x, (whole)(0), pick(xi < share.x + share.y, (whole)(1), (whole)(2)));
 }
-
-real channel_of(real3 v, whole channel) { return pick(channel == 0, v.x, pick(channel == 1, v.y, v.z)); }
 
 real3 normalised(real3 v) {
     const real scale = 1.0f / (v.x + v.y + v.z);
@@ -106,56 +97,103 @@ void walk_choose(const Scene *scene, Walk *walk, real xi) {
 
 Flight walk_flight(const Walk *walk) { return flight_of(walk->bleed, walk->reciprocal, walk->steps > 0u); }
 
-// Length of the next flight if nothing is in its way.
-real walk_distance(const Scene *scene, const Walk *walk, real xi) {
-    return flight_sample(scene, walk_flight(walk), xi) / channel_of(walk->sigma, walk->channel);
+real walk_anisotropy(const Scene *scene, const Walk *walk) {
+    const real3 g = walk->anisotropy;
+    return HAS(ANISOTROPY_RGB) ? channel_of(g.x, g.y, g.z, walk->channel) : g.x;
 }
 
-// Balance heuristic over channels: density of each channel's technique, and what is left of its light (the albedo, or 1).
-void walk_weigh(const Scene *scene, Walk *walk, real3 density, real3 factor) {
-    const real mixture =
-        fma(walk->share.x, density.x, fma(walk->share.y, density.y, walk->share.z * density.z));
+// The direction of the next flight: that of the entry, or a new one after a scatter. xi_technique and xi_length in (0, 1) choose the
+// techniques. Returns the lanes of `active` that got none and have to wait for the next turn.
+uint walk_direct(const Scene *scene, Walk *walk, GuideLanes *guide, real xi_technique, real xi_length, DirectionNumbers numbers,
+                 LaneSampler sampler, uint active) {
+    const mask entering = walk->steps == 0u;
+    const real3 from = walk->direction;
+    const real g = walk_anisotropy(scene, walk);
+    uint waiting = 0u;
+    if (HAS(GUIDE_EIGEN))
+        waiting = eigen_direct(scene, guide, walk->sigma, walk->position, walk_flight(walk), walk->channel, g, entering, xi_technique, numbers,
+                               sampler, active, &walk->direction);
+    else if (HAS(GUIDE_DWIVEDI))
+        dwivedi_direct(scene, guide, walk->sigma, walk->position, walk_flight(walk), walk->channel, walk->anisotropy, entering, xi_technique,
+                       xi_length, numbers, &walk->direction);
+    else
+        walk->direction = pick3(entering, from, phase_sample(scene, g, numbers.cosine, numbers.azimuth, from));
+    if (HAS(ANISOTROPY_RGB)) {
+        const real one = (real)(1.0f);
+        walk->phase.x = pick(entering, one, phase_pdf(scene, walk->anisotropy.x, from, walk->direction));
+        walk->phase.y = pick(entering, one, phase_pdf(scene, walk->anisotropy.y, from, walk->direction));
+        walk->phase.z = pick(entering, one, phase_pdf(scene, walk->anisotropy.z, from, walk->direction));
+    }
+    return waiting;
+}
+
+// Length of the next flight if nothing is in its way.
+real walk_distance(const Scene *scene, const Walk *walk, const GuideLanes *guide, real xi) {
+    const real3 sigma = walk->sigma;
+    real rate = channel_of(sigma.x, sigma.y, sigma.z, walk->channel);
+    if (GUIDED)
+        rate *= guide_rate(guide->technique, channel_of(guide->flight_x.tilt, guide->flight_y.tilt, guide->flight_z.tilt,
+                                                        walk->channel));
+    return flight_sample(scene, walk_flight(walk), xi) / rate;
+}
+
+// Balance heuristic. `density` is the classical one of each channel, `mixed` that of all the channel's techniques, `factor` what
+// is left of its light (the albedo, or 1).
+void walk_weigh(const Scene *scene, Walk *walk, real3 density, real3 mixed, real3 factor) {
+    const real mixture = fma(walk->share.x, mixed.x, fma(walk->share.y, mixed.y, walk->share.z * mixed.z));
     const real inverse = 1.0f / mixture;
-    density.x *= inverse;
-    density.y *= inverse;
-    density.z *= inverse;
-    walk->weight.x *= factor.x * density.x;
-    walk->weight.y *= factor.y * density.y;
-    walk->weight.z *= factor.z * density.z;
+    walk->weight.x *= factor.x * (density.x * inverse);
+    walk->weight.y *= factor.y * (density.y * inverse);
+    walk->weight.z *= factor.z * (density.z * inverse);
     if (scene->frame->channel_sampling == CHANNEL_HERO) {
-        walk->share.x *= density.x;
-        walk->share.y *= density.y;
-        walk->share.z *= density.z;
+        walk->share.x *= mixed.x * inverse;
+        walk->share.y *= mixed.y * inverse;
+        walk->share.z *= mixed.z * inverse;
     }
 }
 
-// The flight ended after `distance`: at the surface where `left`, else in a scatter, from where it goes on in a new direction.
-// xi_cosine, xi_azimuth in (0, 1).
-void walk_arrive(const Scene *scene, Walk *walk, real distance, mask left, real xi_cosine, real xi_azimuth) {
+real3 product3(real3 a, real3 b) {
+    real3 r;
+    r.x = a.x * b.x;
+    r.y = a.y * b.y;
+    r.z = a.z * b.z;
+    return r;
+}
+
+// The flight ended after `distance`: at the surface where `left`, else in a scatter.
+void walk_arrive(const Scene *scene, Walk *walk, const GuideLanes *guide, real distance, mask left) {
     const Flight flight = walk_flight(walk);
-    const real one = (real)(1.0f);
-    real3 density, factor;
-    density.x = flight_density(scene, flight, walk->sigma.x * distance, left) * pick(left, one, walk->sigma.x);
-    density.y = flight_density(scene, flight, walk->sigma.y * distance, left) * pick(left, one, walk->sigma.y);
-    density.z = flight_density(scene, flight, walk->sigma.z * distance, left) * pick(left, one, walk->sigma.z);
-    factor.x = pick(left, one, walk->albedo.x);
-    factor.y = pick(left, one, walk->albedo.y);
-    factor.z = pick(left, one, walk->albedo.z);
-    walk_weigh(scene, walk, density, factor);
+    const real3 one = triple((real)(1.0f)), per_length = pick3(left, one, walk->sigma);
+    real3 depth;
+    depth.x = walk->sigma.x * distance;
+    depth.y = walk->sigma.y * distance;
+    depth.z = walk->sigma.z * distance;
+    real3 density;
+    density.x = flight_density(scene, flight, depth.x, left);
+    density.y = flight_density(scene, flight, depth.y, left);
+    density.z = flight_density(scene, flight, depth.z, left);
+    real3 mixed = density;
+    if (GUIDED) {
+        mixed.x = guided_density(scene, &guide->flight_x, guide->has_far, flight, depth.x, density.x, left);
+        mixed.y = guided_density(scene, &guide->flight_y, guide->has_far, flight, depth.y, density.y, left);
+        mixed.z = guided_density(scene, &guide->flight_z, guide->has_far, flight, depth.z, density.z, left);
+    }
+    real3 scale = per_length;
+    if (HAS(ANISOTROPY_RGB)) scale = product3(scale, walk->phase);
+    walk_weigh(scene, walk, product3(density, scale), product3(mixed, scale), pick3(left, one, walk->albedo));
     walk->position.x = fma(walk->direction.x, distance, walk->position.x);
     walk->position.y = fma(walk->direction.y, distance, walk->position.y);
     walk->position.z = fma(walk->direction.z, distance, walk->position.z);
-    walk->direction = phase_sample(scene, walk->anisotropy, xi_cosine, xi_azimuth, walk->direction);
     walk->steps += pick(left, (natural)(0), (natural)(1));
 }
 
 // Russian roulette on the largest weight, never on the drawn channel's. Returns who survives: no NaN does, so that every
-// walk ends. Those that `left` do not play.
-mask walk_roulette(Walk *walk, real xi, mask left) {
+// walk ends. Those `exempt` do not play.
+mask walk_roulette(Walk *walk, real xi, mask exempt) {
     const real sum = walk->weight.x + walk->weight.y + walk->weight.z;
     const real heaviest = pick(sum >= 0.0f, largest(walk->weight), (real)(-1.0f));
-    const mask survives = (xi * WALK_ROULETTE < heaviest) | left;
-    const real scale = pick((heaviest < WALK_ROULETTE) & survives & (left == 0), WALK_ROULETTE / heaviest, (real)(1.0f));
+    const mask survives = (xi * WALK_ROULETTE < heaviest) | exempt;
+    const real scale = pick((heaviest < WALK_ROULETTE) & survives & (exempt == 0), WALK_ROULETTE / heaviest, (real)(1.0f));
     walk->weight.x *= scale;
     walk->weight.y *= scale;
     walk->weight.z *= scale;

@@ -87,8 +87,6 @@ void read_anisotropy(Fields &fields, Maps &maps, scene::Value &value) {
     const Json *found = fields.find(name);
     if (!found || !found->is_array()) return read_value(fields, name, Kind::number, maps, value);
     fields.read(name, value.value);
-    if (value.value != Vec3::Constant(value.value.x()))
-        fields.fail(name, "one value per channel is not built yet, use one number for all three");
     value.texture = -1;
 }
 

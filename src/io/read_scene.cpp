@@ -10,8 +10,9 @@ constexpr Choice channel_samplings[] = {{"hero", shared::CHANNEL_HERO},
                                         {"single", shared::CHANNEL_SINGLE},
                                         {"albedo", shared::CHANNEL_ALBEDO},
                                         {"throughput", shared::CHANNEL_THROUGHPUT}};
-enum Guiding { no_guiding };
-constexpr Choice guidings[] = {{"none", no_guiding}, {"dwivedi", 0, false}, {"eigen", 0, false}};
+constexpr Choice guidings[] = {{"eigen", shared::GUIDING_EIGEN},
+                               {"none", shared::GUIDING_NONE},
+                               {"dwivedi", shared::GUIDING_DWIVEDI}};
 
 } // namespace
 
@@ -30,8 +31,7 @@ void read_settings(Fields &root, Reading &reading) {
         render.read("max_depth", settings.max_depth);
         render.read("exposure", settings.exposure);
         render.read_choice("channel_sampling", channel_samplings, settings.channel_sampling);
-        Guiding guiding = no_guiding;
-        render.read_choice("guiding", guidings, guiding);
+        render.read_choice("guiding", guidings, settings.guiding);
         render.read("clearance", settings.clearance);
         render.finish();
     }

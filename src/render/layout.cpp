@@ -1,5 +1,6 @@
 #include "render/layout.h"
 #include "base/error.h"
+#include "shared/guide.h"
 #include "shared/path.h"
 #include "shared/scene.h"
 #include <array>
@@ -10,12 +11,12 @@ namespace {
 using namespace shared;
 
 static_assert(sizeof(Camera) == 96 && offsetof(Camera, kind) == 64);
-static_assert(sizeof(Material) == 16 * PARAMETER_COUNT + 4 * PARAMETER_COUNT + 24 && sizeof(Material) % 16 == 0);
+static_assert(sizeof(Material) == 16 * PARAMETER_COUNT + 4 * PARAMETER_COUNT + 40 && sizeof(Material) % 16 == 0);
 static_assert(sizeof(Texture) == 48 && sizeof(Object) == 80 && sizeof(AliasEntry) == 8);
 static_assert(sizeof(Light) == 112 && offsetof(Light, kind) == 80);
 static_assert(sizeof(Frame) % 16 == 0 && offsetof(Frame, width) == 96);
-static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, anisotropy) == 128);
-static_assert(sizeof(Batch) == 32);
+static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, bleed) == 160);
+static_assert(sizeof(Batch) == 32 && sizeof(GuideMode) == 64 && sizeof(LightSides) == 32);
 
 struct Size {
     const char *name;
@@ -23,7 +24,7 @@ struct Size {
 };
 
 // In the order of the kernel `layout`.
-constexpr std::array<Size, 10> sizes = {{{"Camera", sizeof(Camera)},
+constexpr std::array<Size, 12> sizes = {{{"Camera", sizeof(Camera)},
                                          {"Material", sizeof(Material)},
                                          {"Texture", sizeof(Texture)},
                                          {"Object", sizeof(Object)},
@@ -32,7 +33,9 @@ constexpr std::array<Size, 10> sizes = {{{"Camera", sizeof(Camera)},
                                          {"Frame", sizeof(Frame)},
                                          {"Path", sizeof(Path)},
                                          {"Batch", sizeof(Batch)},
-                                         {"Clearance", sizeof(Clearance)}}};
+                                         {"Clearance", sizeof(Clearance)},
+                                         {"GuideMode", sizeof(GuideMode)},
+                                         {"LightSides", sizeof(LightSides)}}};
 
 } // namespace
 

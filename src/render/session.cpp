@@ -4,6 +4,7 @@
 #include "device/error.h"
 #include "device/kernel_info.h"
 #include "render/layout.h"
+#include "render/light_sides.h"
 #include "render/tracer.h"
 #include "scene/features.h"
 #include <algorithm>
@@ -90,6 +91,7 @@ struct Session::Impl {
         // Last: Oclgrind takes a buffer that comes in the place of a released one to be initialised no further than
         // that was.
         check_layout(device, program, recorder);
+        measure_light_sides(device, program, scene, recorder);
         statistics.startup = scene.startup;
         statistics.startup.compile = program.seconds;
         statistics.profiled = options.profile;

@@ -4,6 +4,8 @@
 #include "render/camera.h"
 #include "render/clearance.h"
 #include "render/convert.h"
+#include "render/guides.h"
+#include "render/light_sides.h"
 #include <optional>
 #include <xxhash.h>
 
@@ -135,6 +137,8 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
 
     std::vector<Material> materials;
     for (const scene::Material &material : scene.materials) materials.push_back(to_device(material, units));
+    std::vector<GuideMode> modes;
+    add_guides(scene, materials, modes);
     std::vector<Texture> textures;
     std::vector<std::uint16_t> texels;
     if (features & FEATURE_TEXTURES) pack_textures(scene, textures, texels);
@@ -155,6 +159,10 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("environment_table", lights.environment_table);
     uploader.add("environment", lights.environment);
     uploader.add("clearance", geometry.clearance);
+    uploader.add("guide", modes);
+    constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
+    uploader.add("light_sides", std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike));
+    out.light_points = light_points(scene, geometry);
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();
     return out;

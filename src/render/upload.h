@@ -31,7 +31,10 @@ struct DeviceScene {
     double unit = 1;   // film -> radiance
     double length = 1; // kernels' lengths -> scene units
     std::uint32_t bvh_stack = 0;
-    Startup startup; // what of it was spent here
+    Startup startup;                          // what of it was spent here
+    std::vector<shared::float4> light_points; // for measure_light_sides: positions and normals in turns
+
+    cl::Buffer sides() const { return buffers.back().buffer; }
 
     /// Sets the scene's arguments of a kernel; returns the index of the next one.
     cl_uint bind(cl::Kernel &kernel) const;

@@ -21,6 +21,8 @@ std::uint32_t material_features(const Material &material) {
         mask |= FEATURE_SUBSURFACE;
         if (used(material, PARAMETER_subsurface_bleed, 0)) mask |= FEATURE_BLEED;
         if (used(material, PARAMETER_subsurface_scatter_anisotropy, 0)) mask |= FEATURE_ANISOTROPY;
+        const Vec3 &g = material[PARAMETER_subsurface_scatter_anisotropy].value;
+        if ((g.array() != g.x()).any()) mask |= FEATURE_ANISOTROPY_RGB;
     }
     if (used(material, PARAMETER_subsurface_weight, 1)) mask |= FEATURE_DIFFUSE;
     if (metal || used(material, PARAMETER_specular_weight, 0)) mask |= FEATURE_SPECULAR;
@@ -44,6 +46,15 @@ std::uint32_t light_feature(LightKind kind) {
     return 0;
 }
 
+std::uint32_t guide_feature(Guiding guiding) {
+    switch (guiding) {
+    case GUIDING_NONE: return 0;
+    case GUIDING_DWIVEDI: return FEATURE_GUIDE_DWIVEDI;
+    case GUIDING_EIGEN: return FEATURE_GUIDE_EIGEN;
+    }
+    return 0;
+}
+
 } // namespace
 
 std::uint32_t features(const Scene &scene, bool surface_layers) {
@@ -52,6 +63,7 @@ std::uint32_t features(const Scene &scene, bool surface_layers) {
         mask |= material_features(scene.materials[object.material]);
         if (!object.mesh.normals.empty()) mask |= FEATURE_SMOOTH;
     }
+    if (mask & FEATURE_SUBSURFACE) mask |= guide_feature(scene.render.guiding);
     for (const Light &light : scene.lights) mask |= light_feature(light.kind);
     if (scene.camera.kind == CAMERA_PERSPECTIVE && scene.camera.aperture > 0) mask |= FEATURE_LENS;
     return mask;

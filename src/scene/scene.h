@@ -1,6 +1,7 @@
 #pragma once
 #include "base/vector.h"
 #include "scene/mesh.h"
+#include "shared/guide.h"
 #include "shared/scene.h"
 #include <array>
 #include <cstdint>
@@ -84,6 +85,7 @@ struct RenderSettings {
     std::uint32_t seed = 0;
     std::uint32_t max_depth = 8; // surface hits, 0: no limit but roulette
     shared::ChannelSampling channel_sampling = shared::CHANNEL_HERO;
+    shared::Guiding guiding = shared::GUIDING_EIGEN;
     bool clearance = true; // build clearance fields where they pay
     double exposure = 0;   // stops, PNG only
 };

@@ -1,4 +1,6 @@
 #include "device/probe.h"
+#include "device/buffer.h"
+#include "guide/eigenmode.h"
 #include "shared/features.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,7 +11,7 @@ namespace {
 
 using namespace shared;
 
-static_assert(sizeof(Probe) == 80, "as in probe.cl");
+static_assert(sizeof(Probe) == 96, "as in probe.cl");
 
 // Neither it nor programs are ever released: when static objects go, Oclgrind has gone.
 const device::Device &the_device() {
@@ -39,7 +41,8 @@ Estimate estimate(const std::vector<float> &values, std::size_t width, std::size
 } // namespace
 
 std::vector<float> run_probe(const char *name, const Probe &probe, std::size_t items, std::size_t width,
-                             ChannelSampling sampling, std::uint32_t features, const std::vector<float> &initial) {
+                             ChannelSampling sampling, std::uint32_t features, const std::vector<float> &initial,
+                             const std::vector<GuideMode> &modes) {
     const device::Device &device = the_device();
     features |= FEATURE_SUBSURFACE;
     if (probe.bleed > 0) features |= FEATURE_BLEED;
@@ -54,6 +57,8 @@ std::vector<float> run_probe(const char *name, const Probe &probe, std::size_t i
     kernel.setArg(0, frames);
     kernel.setArg(1, sizeof probe, &probe);
     kernel.setArg(2, out);
+    const cl::Buffer guide = device::constant_buffer<GuideMode>(device, modes);
+    if (kernel.getInfo<CL_KERNEL_NUM_ARGS>() > 3) kernel.setArg(3, guide);
     const std::size_t group = std::size_t(device.quirks.work_group);
     device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((items + group - 1) / group * group),
                                       cl::NDRange(group));
@@ -62,10 +67,21 @@ std::vector<float> run_probe(const char *name, const Probe &probe, std::size_t i
     return values;
 }
 
-Walks run_walks(Probe probe, std::uint32_t walks, ChannelSampling sampling) {
+Walks run_walks(Probe probe, std::uint32_t walks, ChannelSampling sampling, Guiding guiding) {
     constexpr std::size_t items = 2048, width = 24;
     probe.count = std::max<std::uint32_t>(1, walks / items);
-    const std::vector<float> values = run_probe("probe_walk", probe, items, width, sampling);
+    if (probe.walk_anisotropy.w == 0) probe.walk_anisotropy = {probe.anisotropy, probe.anisotropy, probe.anisotropy, 0};
+    if (probe.a == 0) probe.a = 1;
+    const float4 albedo = probe.albedo, g = probe.walk_anisotropy;
+    std::uint32_t features = 0;
+    if (g.x != g.y || g.x != g.z) features = FEATURE_ANISOTROPY | FEATURE_ANISOTROPY_RGB;
+    std::vector<GuideMode> modes;
+    if (guiding != GUIDING_NONE) {
+        features |= guiding == GUIDING_EIGEN ? FEATURE_GUIDE_EIGEN : FEATURE_GUIDE_DWIVEDI;
+        for (const auto &[alpha, anisotropy] : {std::pair{albedo.x, g.x}, {albedo.y, g.y}, {albedo.z, g.z}})
+            modes.push_back(guide::guide_mode(double(alpha), double(anisotropy), guiding == GUIDING_DWIVEDI));
+    }
+    const std::vector<float> values = run_probe("probe_walk", probe, items, width, sampling, features, {}, modes);
     const double scale = 1.0 / probe.count;
     Walks result;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -79,14 +95,14 @@ Walks run_walks(Probe probe, std::uint32_t walks, ChannelSampling sampling) {
     return result;
 }
 
-Walks run_walks_to(Probe probe, double largest_error, ChannelSampling sampling) {
-    Walks sum = run_walks(probe, 1 << 17, sampling);
+Walks run_walks_to(Probe probe, double largest_error, ChannelSampling sampling, Guiding guiding) {
+    Walks sum = run_walks(probe, 1 << 17, sampling, guiding);
     for (int rounds = 1;; ++rounds) {
         double worst = 0;
         for (const Estimate &channel : sum.near) worst = std::max(worst, channel.error);
         if (worst <= largest_error) return sum;
         ++probe.seed;
-        const Walks more = run_walks(probe, 1 << 17, sampling);
+        const Walks more = run_walks(probe, 1 << 17, sampling, guiding);
         for (std::size_t c = 0; c < 3; ++c) {
             sum.near[c].mean += (more.near[c].mean - sum.near[c].mean) / (rounds + 1);
             sum.near[c].error = std::hypot(sum.near[c].error * rounds, more.near[c].error) / (rounds + 1);

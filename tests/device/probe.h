@@ -1,5 +1,6 @@
 #pragma once
 #include "device/program.h"
+#include "shared/guide.h"
 #include "shared/scene.h"
 #include <array>
 #include <cstdint>
@@ -10,9 +11,10 @@ namespace nacre::test {
 /// The argument `Probe` of kernels/probe.cl, field by field.
 struct Probe {
     shared::float4 sigma{1, 1, 1, 0}, albedo{};
+    shared::float4 walk_anisotropy{}; // per channel; run_walks takes `anisotropy` for all where w is 0
     float anisotropy = 0, bleed = 0;
-    float thickness = 0; // slab; 0: half-space; < 0: sphere of radius -thickness
-    float a = 0, b = 0, c = 0;
+    float thickness = 0;       // slab; 0: half-space; < 0: sphere of radius -thickness
+    float a = 0, b = 0, c = 0; // a: of guided walks, light on the far side over that on the near side
     std::uint32_t seed = 1, first = 0, reciprocal = 0, entry = shared::ENTRY_LAMBERT, count = 1;
     std::uint32_t cap = 0; // walks end after so many scatters, 0: never
 };
@@ -21,7 +23,7 @@ struct Probe {
 /// `initial`: what the kernel finds there, for those that read.
 std::vector<float> run_probe(const char *kernel, const Probe &probe, std::size_t items, std::size_t width,
                              shared::ChannelSampling sampling = shared::CHANNEL_HERO, std::uint32_t features = 0,
-                             const std::vector<float> &initial = {});
+                             const std::vector<float> &initial = {}, const std::vector<shared::GuideMode> &modes = {});
 
 /// A mean and its standard error.
 struct Estimate {
@@ -37,10 +39,12 @@ struct Walks {
 };
 
 /// `walks` of them, each work-item's mean taken as one sample of the statistics.
-Walks run_walks(Probe probe, std::uint32_t walks, shared::ChannelSampling sampling = shared::CHANNEL_HERO);
+Walks run_walks(Probe probe, std::uint32_t walks, shared::ChannelSampling sampling = shared::CHANNEL_HERO,
+                shared::Guiding guiding = shared::GUIDING_NONE);
 
 /// As many walks (in steps of 2^17, seed after seed) as `near` of every channel needs for this standard error.
-Walks run_walks_to(Probe probe, double largest_error, shared::ChannelSampling sampling = shared::CHANNEL_HERO);
+Walks run_walks_to(Probe probe, double largest_error, shared::ChannelSampling sampling = shared::CHANNEL_HERO,
+                   shared::Guiding guiding = shared::GUIDING_NONE);
 
 /// Expects `estimate` within 4 of its standard errors of `exact`, and the error small enough to mean something.
 void expect_exact(const Estimate &estimate, double exact, double largest_error, const char *what);

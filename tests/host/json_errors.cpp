@@ -137,13 +137,10 @@ TEST_F(JsonErrors, Ranges) {
 
 TEST_F(JsonErrors, NotBuiltYet) {
     const Case cases[] = {
-        {section(R"("render": {"guiding": "eigen"})"), {"render.guiding: 'eigen' is not built yet, use none"}},
-        {section(R"("render": {"guiding": "dwivedi"})"), {"'dwivedi' is not built yet, use none"}},
         {section(R"("render": {"guiding": "eigne"})"), {"unknown value 'eigne', did you mean 'eigen'?"}},
         {material(R"("subsurface_model": "burley")"), {"'burley' is not built yet, use random_walk"}},
         {material(R"("subsurface_inversion": "table")"), {"'table' is not built yet, use van_de_hulst or none"}},
         {material(R"("subsurface_entry": "refracted")"), {"'refracted' is not built yet, use lambert or uniform"}},
-        {material(R"("subsurface_scatter_anisotropy": [0.1, 0.2, 0.3])"), {"one value per channel is not built yet"}},
     };
     for (const auto &[json, fragments] : cases) expect_error(json, fragments);
 }

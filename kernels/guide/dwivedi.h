@@ -1,0 +1,61 @@
+// The memo's techniques: Krivanek & d'Eon 2014 towards either side, their direction whatever the phase function says.
+#ifndef NACRE_GUIDE_DWIVEDI_H
+#define NACRE_GUIDE_DWIVEDI_H
+
+#include "guide/guide.h"
+
+// Cosine towards the side, density 1 / (spread (nu - mu)): mu = nu - (nu + 1) exp(-xi spread), in a form that keeps its digits for
+// a large nu.
+real dwivedi_cosine(real inverse_nu, real spread, real xi) {
+    const real nu = 1.0f / inverse_nu, e = -xi * spread;
+    return max((real)(-1.0f), min(-nu * lane_expm1(e) - lane_exp(e), (real)(1.0f)));
+}
+
+// Per steradian.
+real dwivedi_pdf(const ModeLanes *mode, real mu) {
+    return mode->inverse_nu * (0.5f * INV_PI) / (mode->spread * (1.0f - mode->inverse_nu * mu));
+}
+
+Sides dwivedi_shares(real far_strength) {
+    Sides shares;
+    shares.near = GUIDE_SHARE / (1.0f + far_strength);
+    shares.far = GUIDE_SHARE - shares.near;
+    return shares;
+}
+
+void dwivedi_flight(GuidedFlight *flight, const ModeLanes *mode, Sides shares, real mu, real inverse_phase, mask entering) {
+    flight->near = shares.near;
+    flight->far = shares.far;
+    const real guided = fma(shares.near, dwivedi_pdf(mode, mu), shares.far * dwivedi_pdf(mode, -mu));
+    flight->direction = pick(entering, (real)(1.0f), fma(guided, inverse_phase, (real)(1.0f - GUIDE_SHARE)));
+    flight->tilt = mu * mode->inverse_nu;
+}
+
+// As eigen_direct, but for two numbers: xi_technique draws the technique of the direction, xi_length that of the length. No lane
+// waits.
+void dwivedi_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight, whole channel, real3 g,
+                    mask entering, real xi_technique, real xi_length, DirectionNumbers numbers, real3 *direction) {
+    const real3 far = guide_far_strength(scene, guide, sigma, position, flight);
+    const Sides shares_x = dwivedi_shares(far.x), shares_y = dwivedi_shares(far.y), shares_z = dwivedi_shares(far.z);
+    const real near = channel_of(shares_x.near, shares_y.near, shares_z.near, channel);
+    const whole technique = guide_technique(near, xi_technique);
+    guide->technique = guide_technique(near, xi_length);
+
+    const real3 from = *direction;
+    const real inverse_nu = channel_of(guide->x.inverse_nu, guide->y.inverse_nu, guide->z.inverse_nu, channel);
+    const real spread = channel_of(guide->x.spread, guide->y.spread, guide->z.spread, channel);
+    const real side = pick(technique == TECHNIQUE_FAR, (real)(-1.0f), (real)(1.0f));
+    const real cosine = side * dwivedi_cosine(inverse_nu, spread, numbers.cosine);
+    real s, c;
+    sincos_turns(numbers.azimuth, &s, &c);
+    const real3 guided = turn(guide->outward, sqrt(max(fma(-cosine, cosine, (real)(1.0f)), (real)(0.0f))), cosine, s, c);
+    const real3 classical = phase_sample(scene, channel_of(g.x, g.y, g.z, channel), numbers.cosine, numbers.azimuth, from);
+    *direction = pick3(entering, from, pick3(technique == TECHNIQUE_CLASSICAL, classical, guided));
+
+    const real mu = dot3(guide->outward, *direction);
+    dwivedi_flight(&guide->flight_x, &guide->x, shares_x, mu, 1.0f / phase_pdf(scene, g.x, from, *direction), entering);
+    dwivedi_flight(&guide->flight_y, &guide->y, shares_y, mu, 1.0f / phase_pdf(scene, g.y, from, *direction), entering);
+    dwivedi_flight(&guide->flight_z, &guide->z, shares_z, mu, 1.0f / phase_pdf(scene, g.z, from, *direction), entering);
+}
+
+#endif

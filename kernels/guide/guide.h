@@ -1,0 +1,115 @@
+// Techniques that lead a walk to the surface: towards the near side, where it entered, or towards the far side. Of an object
+// they see a slab, with the plane of the entry as its near side; where the object is none they are worse, never wrong.
+//
+// eigen: the walk follows the medium's slowest mode (shared/guide.h), exactly in the slab:
+//     direction  HG(w_i . w) phi(mu) / Z(mu_i), Z the mean of phi after a scatter       distance  stretched by 1 / (1 - mu / nu)
+// dwivedi: Krivanek & d'Eon 2014, "A Zero-Variance-Based Sampling Scheme for Monte Carlo Subsurface Scattering", as in the memo's
+// section 5: direction 1 / (2 pi spread (nu - mu)) about the side's normal, whatever the direction before; and direction and
+// distance choose their technique apart.
+// Each side's mode has the strength exp(-depth / nu) and its share of the light; the sides are chosen by what they promise.
+// The far side is the near one with mu and mu_i turned round.
+#ifndef NACRE_GUIDE_GUIDE_H
+#define NACRE_GUIDE_GUIDE_H
+
+#include "guide/mode.h"
+#include "flight/flight.h"
+#include "phase/henyey_greenstein.h"
+#include "random/sampler.h"
+
+#define GUIDED (HAS(GUIDE_EIGEN) || HAS(GUIDE_DWIVEDI))
+
+// Share of the guided techniques; the rest is classical, which bounds a step's weight by 1 / (1 - GUIDE_SHARE).
+#ifndef GUIDE_SHARE
+#define GUIDE_SHARE 0.8f
+#endif
+
+// Directions that a lane may try in one turn before it waits for the next.
+#ifndef GUIDE_TRIES
+#define GUIDE_TRIES 4u
+#endif
+
+// The probe's ray begins beyond the surface that it starts from; an object that it finds no end of is this thick.
+#define GUIDE_PROBE_START 1e-5f
+#define GUIDE_THICK 1e9f
+
+#define TECHNIQUE_CLASSICAL 0
+#define TECHNIQUE_NEAR 1
+#define TECHNIQUE_FAR 2
+
+// One channel's part in the flight under way.
+typedef struct {
+    real near, far; // share of the side's technique, times its density of the direction over the classical one (eigen)
+    real direction; // density of the direction over the classical one, where it was chosen apart (dwivedi)
+    real tilt;      // mu / nu: the near side's technique stretches by 1 / (1 - tilt), the far side's by 1 / (1 + tilt)
+} GuidedFlight;
+
+typedef struct {
+    real3 outward;    // unit normal of the near side
+    real offset;      // of its plane: a point's depth is offset - dot(outward, point)
+    real thickness;
+    real far_light;   // light on the far side over that on the near side
+    ModeLanes x, y, z;
+    natural tries;    // directions that were refused so far
+    // Of the flight under way:
+    whole technique;  // that draws its length
+    bool has_far;     // some lane's may go to the far side
+    GuidedFlight flight_x, flight_y, flight_z;
+} GuideLanes;
+
+// Numbers for a direction, in (0, 1): cosine, azimuth, and whether to keep it.
+typedef struct {
+    real cosine, azimuth, keep;
+} DirectionNumbers;
+
+// By how many e-folds a mode is stronger at the depth `near` below one side than at `far` below the other. Under bleed, which knows no
+// exponential mode, it falls like the flights do.
+real guide_folds(const Scene *scene, real near, real far, Flight flight) {
+    if (!HAS(BLEED)) return near - far;
+    return flight.rate * (flight_depth(scene, flight, near) - flight_depth(scene, flight, far));
+}
+
+// How strong the far side's mode is, for each channel, where the near side's is 1: by the depths of the position below both, and by
+// the light on both. Not at all where it is weakest (2e-9): thick objects need not be asked for a far side.
+real3 guide_far_strength(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight) {
+    const real below = guide->offset - dot3(guide->outward, position);
+    const real near = max(min(below, guide->thickness), (real)(0.0f)), far = guide->thickness - near; // beyond the slab: at its end
+    const real rate_x = sigma.x * guide->x.inverse_nu, rate_y = sigma.y * guide->y.inverse_nu, rate_z = sigma.z * guide->z.inverse_nu;
+    real3 folds;
+    folds.x = guide_folds(scene, near * rate_x, far * rate_x, flight);
+    folds.y = guide_folds(scene, near * rate_y, far * rate_y, flight);
+    folds.z = guide_folds(scene, near * rate_z, far * rate_z, flight);
+    const real least = (real)(-20.0f), most = (real)(20.0f);
+    guide->has_far = bits(largest(folds) > least) != 0u;
+    real3 strength = triple((real)(0.0f));
+    if (!guide->has_far) return strength;
+    strength.x = pick(folds.x > least, guide->far_light * lane_exp(min(folds.x, most)), strength.x);
+    strength.y = pick(folds.y > least, guide->far_light * lane_exp(min(folds.y, most)), strength.y);
+    strength.z = pick(folds.z > least, guide->far_light * lane_exp(min(folds.z, most)), strength.z);
+    return strength;
+}
+
+// How a flight in a given direction is stretched by a technique of one channel: 1 / the result. At least 1 / 2000, as nu is.
+real guide_rate(whole technique, real tilt) {
+    return pick(technique == TECHNIQUE_NEAR, 1.0f - tilt, pick(technique == TECHNIQUE_FAR, 1.0f + tilt, (real)(1.0f)));
+}
+
+// Which technique to take, where the near side's has the share `near`.
+whole guide_technique(real near, real xi) {
+    return pick(xi < near, (whole)(TECHNIQUE_NEAR),
+                pick(xi < GUIDE_SHARE, (whole)(TECHNIQUE_FAR), (whole)(TECHNIQUE_CLASSICAL)));
+}
+
+// Density of one channel's flight after an optical depth tau, over all techniques, per unit of tau. `classical` is flight_density's.
+real guided_density(const Scene *scene, const GuidedFlight *guided, bool has_far, Flight flight, real tau, real classical,
+                    mask left) {
+    const real one = (real)(1.0f), near_rate = 1.0f - guided->tilt, far_rate = 1.0f + guided->tilt;
+    const real near = pick(left, one, near_rate) * flight_density(scene, flight, near_rate * tau, left);
+    real density = fma(guided->near, near, (1.0f - GUIDE_SHARE) * classical);
+    if (has_far) {
+        const real far = pick(left, one, far_rate) * flight_density(scene, flight, far_rate * tau, left);
+        density = fma(guided->far, far, density);
+    }
+    return guided->direction * density;
+}
+
+#endif

@@ -1,0 +1,74 @@
+// A path's guide, as it is kept with the path and as its lane needs it.
+#ifndef NACRE_GUIDE_LOAD_H
+#define NACRE_GUIDE_LOAD_H
+
+#include "geometry/ray.h"
+#include "guide/guide.h"
+
+// Nearest of the material's modes: never one between two, whose phi and nu would not belong together.
+global const GuideMode *mode_of(const Scene *scene, global const Material *material, uint channel, float albedo, float g) {
+    const float similarity2 = (1.0f - albedo) / fmax(1.0f - albedo * g, 1e-6f);
+    uint i = convert_uint_rte(sqrt(sqrt(clamp(similarity2, 0.0f, 1.0f))) * (float)(GUIDE_ALBEDOS - 1));
+    if (material->guide_anisotropies > 1u) {
+        const float at = (clamp(g / GUIDE_LARGEST_ANISOTROPY, -1.0f, 1.0f) + 1.0f) * (float)GUIDE_ANISOTROPIES;
+        i += convert_uint_rte(at) * GUIDE_ALBEDOS;
+    }
+    return scene->modes + material->guide_first[channel] + i;
+}
+
+void mode_load(ModeLanes *lanes, uint l, global const GuideMode *mode, float g) {
+    float power = 1.0f;
+#pragma unroll
+    for (int k = 0; k < GUIDE_TERMS; k++) {
+        LANE_FLOAT(lanes->phi[k], l) = mode->phi[k];
+        LANE_FLOAT(lanes->scattered[k], l) = power * mode->phi[k];
+        power *= g;
+    }
+    LANE_FLOAT(lanes->peak, l) = mode->peak;
+    LANE_FLOAT(lanes->inverse_nu, l) = mode->inverse_nu;
+    LANE_FLOAT(lanes->spread, l) = mode->spread;
+}
+
+void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path) {
+    global const Material *material = scene->materials + scene->objects[path->object].material;
+    LANE_FLOAT(guide->outward.x, l) = path->outward.x;
+    LANE_FLOAT(guide->outward.y, l) = path->outward.y;
+    LANE_FLOAT(guide->outward.z, l) = path->outward.z;
+    LANE_FLOAT(guide->offset, l) = path->outward.w;
+    LANE_FLOAT(guide->thickness, l) = path->thickness;
+    LANE_FLOAT(guide->far_light, l) = path->far_light;
+    LANE_UINT(guide->tries, l) = path->tries;
+    const float4 albedo = path->albedo, g = path->anisotropy;
+    mode_load(&guide->x, l, mode_of(scene, material, 0u, albedo.x, g.x), g.x);
+    mode_load(&guide->y, l, mode_of(scene, material, 1u, albedo.y, g.y), g.y);
+    mode_load(&guide->z, l, mode_of(scene, material, 2u, albedo.z, g.z), g.z);
+}
+
+// Light on the far side of a slab over that on the near side, which faces `outward`.
+float guide_far_light(global const LightSides *sides, float3 outward) {
+    const float3 share = outward * outward, upper = sides->upper.xyz, lower = sides->lower.xyz;
+    const float near = dot(share, select(lower, upper, outward > 0.0f)), far = dot(share, select(upper, lower, outward > 0.0f));
+    if (!(near + far > 0.0f)) return 1.0f;
+    return clamp(far / near, GUIDE_LEAST_LIGHT, 1.0f / GUIDE_LEAST_LIGHT);
+}
+
+// The slab that a walk begins in, but for its thickness, which a ray has to find: light comes in at `position` through a surface
+// with the unit normal `outward`.
+void guide_begin(const Scene *scene, Path *path, float3 position, float3 outward) {
+    path->outward = (float4)(outward, dot(outward, position));
+    path->thickness = GUIDE_THICK;
+    path->tries = 0u;
+    path->far_light = guide_far_light(scene->sides + path->object, outward);
+}
+
+// The ray that finds the thickness, from the entry straight down.
+Ray guide_probe(const Path *path) {
+    Ray ray;
+    ray.origin = path->position.xyz;
+    ray.direction = -path->outward.xyz;
+    ray.t_min = GUIDE_PROBE_START;
+    ray.t_max = MAXFLOAT;
+    return ray;
+}
+
+#endif

@@ -1,0 +1,47 @@
+// Where the light on an object comes from, coarsely: direct light on points of its surface, before the first sample.
+#ifndef NACRE_GUIDE_SIDES_H
+#define NACRE_GUIDE_SIDES_H
+
+#include "path/path.h"
+
+#define SIDE_SAMPLES 8u
+#define SIDE_SEED 0x51de5u // not the scene's: its parts, rendered with other seeds, are to be guided alike
+
+float luminance(float3 rgb) { return dot(rgb, (float3)(0.2126f, 0.7152f, 0.0722f)); }
+
+// Radiance from where a ray goes that a surface sent out with density `density`; nothing from what it lights.
+float3 side_light_met(const Scene *scene, Ray ray, float density) {
+    PROFILED(uint visits[2] = {0u, 0u};) // nobody's rays
+    const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, scene->frame->bvh_root PROFILED(, visits));
+    const bool missed = hit.block == BVH_NO_PRIMITIVE;
+    float3 light = light_of_rects(scene, ray.origin, ray.direction, missed ? MAXFLOAT : hit.t, density, false);
+    if (missed) return light + light_of_sky(scene, ray.direction, density, false);
+    if (HAS(EMISSION)) {
+        const Surface surface = surface_at(scene, ray, hit);
+        light += light_of_surface(scene, surface.primitive, surface.object, surface.uv, hit.t,
+                                  -dot(ray.direction, surface.geometric), density);
+    }
+    return light;
+}
+
+// Luminance of the direct light on point i, irradiance over pi.
+float side_light(const Scene *scene, uint i, float3 position, float3 normal) {
+    Path path;
+    path.throughput = (float4)(1.0f);
+    const float3 error = (float3)(GUIDE_PROBE_START);
+    PROFILED(uint visits[2] = {0u, 0u};)
+    float sum = 0.0f;
+    for (uint sample = 0; sample < SIDE_SAMPLES; sample++) {
+        const Sampler sampler = sampler_of(SIDE_SEED, i, sample, 0u);
+        const Shadow shadow = light_lambert(scene, &path, sampler, position, error, normal, normal);
+        if (shadow_asked(&shadow) &&
+            !trace_any(shadow.ray, scene->nodes, scene->blocks, scene->frame->bvh_root PROFILED(, visits)))
+            sum += luminance(shadow.light);
+        const float3 direction = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), normal, normal);
+        const Ray ray = path_ray(offset_point(position, error, normal, direction), direction);
+        sum += luminance(side_light_met(scene, ray, lambert_pdf(direction, normal, normal)));
+    }
+    return sum / SIDE_SAMPLES;
+}
+
+#endif

@@ -1,0 +1,17 @@
+#pragma once
+#include "device/program.h"
+#include "device/recorder.h"
+#include "render/upload.h"
+
+namespace nacre::render {
+
+/// Points on the surfaces of the objects that scatter below, spread by area: for each position (w: its object) and unit
+/// normal. Empty where all sides have the same light: under nothing but environments of constant radiance.
+std::vector<shared::float4> light_points(const scene::Scene &scene, const Geometry &geometry);
+
+/// Measures the light on these points with the kernel of `program` and tells the scene's guides which sides of its
+/// objects have more. Until then they take all for equal.
+void measure_light_sides(const device::Device &device, const device::Program &program, const DeviceScene &scene,
+                         device::Recorder &recorder);
+
+} // namespace nacre::render
