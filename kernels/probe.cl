@@ -203,7 +203,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_infini
     const LaneSampler sampler = {probe.seed, i, 0u};
     while (walk.steps < probe.cap) {
         const uint4 words = random_hash((uint4)(probe.seed, i, walk.steps, 10u));
-        const DirectionNumbers numbers = {random_unit(words.y), random_unit(words.z), 0.5f};
+        const DirectionNumbers numbers = {random_unit(words.y), random_unit(words.z)};
         walk_direct(scene, &walk, &guide, 0.5f, 0.5f, numbers, sampler, 1u);
         walk_arrive(scene, &walk, &guide, walk_distance(scene, &walk, &guide, random_unit(words.x)), 0);
     }
@@ -215,6 +215,7 @@ void probe_guide(Probe probe, global const GuideMode *modes, GuideLanes *guide) 
     guide->outward.x = guide->outward.y = guide->offset = 0.0f;
     guide->outward.z = -1.0f;
     guide->thickness = probe.thickness > 0.0f ? probe.thickness : probe.thickness < 0.0f ? -2.0f * probe.thickness : GUIDE_THICK;
+    guide->share = guide_share(probe.bleed);
     guide->far_light = probe.a;
     guide->tries = 0u;
     mode_load(&guide->x, 0u, modes, probe.walk_anisotropy.x);
@@ -260,8 +261,8 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
             const uint4 words = draw_bits(sampler, DRAW_WALK, walk.steps);
             const uint4 choice = draw_bits(sampler, DRAW_WALK_CHOICE, walk.steps);
             if (walk_chooses(scene)) walk_choose(scene, &walk, random_unit(choice.x));
-            const DirectionNumbers numbers = {random_unit(words.y), random_unit(words.z), random_unit(choice.z)};
-            if (walk_direct(scene, &walk, &guide, random_unit(choice.y), random_unit(choice.w), numbers, lane, 1u) != 0u) continue;
+            const DirectionNumbers numbers = {random_unit(words.y), random_unit(words.z)};
+            if (walk_direct(scene, &walk, &guide, random_unit(choice.y), random_unit(choice.z), numbers, lane, 1u) != 0u) continue;
             const float distance = walk_distance(scene, &walk, &guide, walk.steps == 0u ? first.y : random_unit(words.x));
             bool back;
             const float exit = body_exit(probe.thickness, (float3)(walk.position.x, walk.position.y, walk.position.z),

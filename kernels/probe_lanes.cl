@@ -86,7 +86,6 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_lane_w
         DirectionNumbers numbers;
         numbers.cosine = lane_unit(w.y);
         numbers.azimuth = lane_unit(w.z);
-        numbers.keep = none;
         walk_direct(scene, &walk, &guide, numbers.cosine, numbers.cosine, numbers, sampler, LANES_ALL);
         distance = walk_distance(scene, &walk, &guide, lane_unit(w.x));
         walk_arrive(scene, &walk, &guide, distance, no);

@@ -16,18 +16,18 @@ real dwivedi_pdf(const ModeLanes *mode, real mu) {
     return mode->inverse_nu * (0.5f * INV_PI) / (mode->spread * (1.0f - mode->inverse_nu * mu));
 }
 
-Sides dwivedi_shares(real far_strength) {
+Sides dwivedi_shares(real share, real far_strength) {
     Sides shares;
-    shares.near = GUIDE_SHARE / (1.0f + far_strength);
-    shares.far = GUIDE_SHARE - shares.near;
+    shares.near = share / (1.0f + far_strength);
+    shares.far = share - shares.near;
     return shares;
 }
 
-void dwivedi_flight(GuidedFlight *flight, const ModeLanes *mode, Sides shares, real mu, real inverse_phase, mask entering) {
+void dwivedi_flight(GuidedFlight *flight, real share, const ModeLanes *mode, Sides shares, real mu, real inverse_phase, mask entering) {
     flight->near = shares.near;
     flight->far = shares.far;
     const real guided = fma(shares.near, dwivedi_pdf(mode, mu), shares.far * dwivedi_pdf(mode, -mu));
-    flight->direction = pick(entering, (real)(1.0f), fma(guided, inverse_phase, (real)(1.0f - GUIDE_SHARE)));
+    flight->direction = pick(entering, (real)(1.0f), fma(guided, inverse_phase, 1.0f - share));
     flight->tilt = mu * mode->inverse_nu;
 }
 
@@ -36,10 +36,10 @@ void dwivedi_flight(GuidedFlight *flight, const ModeLanes *mode, Sides shares, r
 void dwivedi_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight, whole channel, real3 g,
                     mask entering, real xi_technique, real xi_length, DirectionNumbers numbers, real3 *direction) {
     const real3 far = guide_far_strength(scene, guide, sigma, position, flight);
-    const Sides shares_x = dwivedi_shares(far.x), shares_y = dwivedi_shares(far.y), shares_z = dwivedi_shares(far.z);
+    const Sides shares_x = dwivedi_shares(guide->share, far.x), shares_y = dwivedi_shares(guide->share, far.y), shares_z = dwivedi_shares(guide->share, far.z);
     const real near = channel_of(shares_x.near, shares_y.near, shares_z.near, channel);
-    const whole technique = guide_technique(near, xi_technique);
-    guide->technique = guide_technique(near, xi_length);
+    const whole technique = guide_technique(guide, near, xi_technique);
+    guide->technique = guide_technique(guide, near, xi_length);
 
     const real3 from = *direction;
     const real inverse_nu = channel_of(guide->x.inverse_nu, guide->y.inverse_nu, guide->z.inverse_nu, channel);
@@ -53,9 +53,9 @@ void dwivedi_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 po
     *direction = pick3(entering, from, pick3(technique == TECHNIQUE_CLASSICAL, classical, guided));
 
     const real mu = dot3(guide->outward, *direction);
-    dwivedi_flight(&guide->flight_x, &guide->x, shares_x, mu, 1.0f / phase_pdf(scene, g.x, from, *direction), entering);
-    dwivedi_flight(&guide->flight_y, &guide->y, shares_y, mu, 1.0f / phase_pdf(scene, g.y, from, *direction), entering);
-    dwivedi_flight(&guide->flight_z, &guide->z, shares_z, mu, 1.0f / phase_pdf(scene, g.z, from, *direction), entering);
+    dwivedi_flight(&guide->flight_x, guide->share, &guide->x, shares_x, mu, 1.0f / phase_pdf(scene, g.x, from, *direction), entering);
+    dwivedi_flight(&guide->flight_y, guide->share, &guide->y, shares_y, mu, 1.0f / phase_pdf(scene, g.y, from, *direction), entering);
+    dwivedi_flight(&guide->flight_z, guide->share, &guide->z, shares_z, mu, 1.0f / phase_pdf(scene, g.z, from, *direction), entering);
 }
 
 #endif

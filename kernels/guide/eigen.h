@@ -40,46 +40,27 @@ ChannelSides pick_channel_sides(mask m, ChannelSides a, ChannelSides b) {
     return r;
 }
 
-// Tries a direction of the phase function, which is kept with the probability phi / peak. Those `entering` keep the one they have.
-mask eigen_try(const Scene *scene, const GuideLanes *guide, whole channel, real g, mask entering, DirectionNumbers numbers,
-               real3 from, real3 *tried, ChannelSides *phi) {
-    *tried = pick3(entering, from, phase_sample(scene, g, numbers.cosine, numbers.azimuth, from));
-    const Legendre at = legendre_at(dot3(guide->outward, *tried));
+// Turns `direction` by the technique that was chosen: a direction of the phase function is kept with the probability phi / peak.
+// Those `entering` keep the one they have. Returns the lanes of `active` whose direction was refused. phi: at the new direction.
+uint eigen_turn(const Scene *scene, GuideLanes *guide, whole channel, real g, mask entering, LaneSampler sampler, uint active,
+                real3 *direction, ChannelSides *phi) {
+    const Natural4 words = lane_draw(sampler, DRAW_WALK_TRY, guide->tries);
+    const real3 from = *direction;
+    const real3 tried = pick3(entering, from, phase_sample(scene, g, lane_unit(words.x), lane_unit(words.y), from));
+    const Legendre at = legendre_at(dot3(guide->outward, tried));
     *phi = eigen_phi(guide, &at);
-    const real peak = channel_of(guide->x.peak, guide->y.peak, guide->z.peak, channel);
     const real near = channel_of(phi->x.near, phi->y.near, phi->z.near, channel);
     const real far = channel_of(phi->x.far, phi->y.far, phi->z.far, channel);
-    return entering | (guide->technique == TECHNIQUE_CLASSICAL) |
-           (numbers.keep * peak < pick(guide->technique == TECHNIQUE_FAR, far, near));
-}
-
-// Turns `direction` by the technique that was chosen, and returns the lanes of `active` whose tries were all refused; they try
-// again on the next turn. phi: at the new direction.
-uint eigen_turn(const Scene *scene, GuideLanes *guide, whole channel, real g, mask entering, DirectionNumbers numbers,
-                LaneSampler sampler, uint active, real3 *direction, ChannelSides *phi) {
-    const real3 from = *direction;
-    real3 tried;
-    uint refused = active & ~bits(eigen_try(scene, guide, channel, g, entering, numbers, from, &tried, phi));
-    *direction = pick3(mask_of(refused), from, tried);
-    for (uint attempt = 1u; refused != 0u && attempt < GUIDE_TRIES; attempt++) {
-        const Natural4 words = lane_draw(sampler, DRAW_WALK_AGAIN, guide->tries);
-        numbers.cosine = lane_unit(words.x);
-        numbers.azimuth = lane_unit(words.y);
-        numbers.keep = lane_unit(words.z);
-        const mask open = mask_of(refused);
-        guide->tries += pick(open, (natural)(1), (natural)(0));
-        ChannelSides tried_phi;
-        const mask kept =
-            open & eigen_try(scene, guide, channel, g, entering, numbers, from, &tried, &tried_phi);
-        *direction = pick3(kept, tried, *direction);
-        *phi = pick_channel_sides(kept, tried_phi, *phi);
-        refused &= ~bits(kept);
-    }
-    return refused;
+    const real peak = channel_of(guide->x.peak, guide->y.peak, guide->z.peak, channel);
+    const mask kept = entering | (guide->technique == TECHNIQUE_CLASSICAL) |
+                      (lane_unit(words.z) * peak < pick(guide->technique == TECHNIQUE_FAR, far, near));
+    *direction = pick3(kept, tried, from);
+    guide->tries += (natural)(1u);
+    return active & ~bits(kept);
 }
 
 // Share per promise of a channel: the sides' shares are their promises, the far one's times `far_strength`, times this.
-real eigen_scale(Sides promise, real far_strength) { return GUIDE_SHARE / fma(far_strength, promise.far, promise.near); }
+real eigen_scale(real share, Sides promise, real far_strength) { return share / fma(far_strength, promise.far, promise.near); }
 
 void eigen_flight(GuidedFlight *flight, const ModeLanes *mode, real mu, Sides phi, real far_strength, real scale) {
     flight->near = phi.near * scale;
@@ -91,19 +72,18 @@ void eigen_flight(GuidedFlight *flight, const ModeLanes *mode, real mu, Sides ph
 // Chooses a technique for the next flight of the channels drawn, turns its direction, and prepares its density. Returns the lanes
 // of `active` that have to wait.
 uint eigen_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight, whole channel, real g,
-                  mask entering, real xi_technique, DirectionNumbers numbers, LaneSampler sampler, uint active, real3 *direction) {
+                  mask entering, real xi_technique, LaneSampler sampler, uint active, real3 *direction) {
     // What the sides promise: a scatter from the direction so far, or to those who enter a flight in it.
     const Legendre from = legendre_at(dot3(guide->outward, *direction));
     ChannelSides promise = eigen_scattered(guide, &from);
     if ((bits(entering) & active) != 0u) promise = pick_channel_sides(entering, eigen_phi(guide, &from), promise);
     const real3 far = guide_far_strength(scene, guide, sigma, position, flight);
-    const real scale_x = eigen_scale(promise.x, far.x), scale_y = eigen_scale(promise.y, far.y),
-               scale_z = eigen_scale(promise.z, far.z);
+    const real scale_x = eigen_scale(guide->share, promise.x, far.x), scale_y = eigen_scale(guide->share, promise.y, far.y),
+               scale_z = eigen_scale(guide->share, promise.z, far.z);
     guide->technique = guide_technique(
-        channel_of(promise.x.near * scale_x, promise.y.near * scale_y, promise.z.near * scale_z, channel), xi_technique);
+        guide, channel_of(promise.x.near * scale_x, promise.y.near * scale_y, promise.z.near * scale_z, channel), xi_technique);
     ChannelSides phi;
-    const uint refused =
-        eigen_turn(scene, guide, channel, g, entering, numbers, sampler, active, direction, &phi);
+    const uint refused = eigen_turn(scene, guide, channel, g, entering, sampler, active, direction, &phi);
     const real mu = dot3(guide->outward, *direction);
     eigen_flight(&guide->flight_x, &guide->x, mu, phi.x, far.x, scale_x);
     eigen_flight(&guide->flight_y, &guide->y, mu, phi.y, far.y, scale_y);

@@ -18,19 +18,18 @@
 
 #define GUIDED (HAS(GUIDE_EIGEN) || HAS(GUIDE_DWIVEDI))
 
-// Share of the guided techniques; the rest is classical, which bounds a step's weight by 1 / (1 - GUIDE_SHARE).
+// Share of the guided techniques; the rest is classical, which bounds a step's weight by 1 / (1 - GUIDE_SHARE). Measured in
+// half-spaces and slabs: .95 is no better, .8 worse by a tenth to a half.
 #ifndef GUIDE_SHARE
-#define GUIDE_SHARE 0.8f
-#endif
-
-// Directions that a lane may try in one turn before it waits for the next.
-#ifndef GUIDE_TRIES
-#define GUIDE_TRIES 4u
+#define GUIDE_SHARE 0.9f
 #endif
 
 // The probe's ray begins beyond the surface that it starts from; an object that it finds no end of is this thick.
 #define GUIDE_PROBE_START 1e-5f
 #define GUIDE_THICK 1e9f
+
+// E-folds by which a side may be weaker than the other before it is none: 2e-9.
+#define GUIDE_LEAST_FOLDS -20.0f
 
 #define TECHNIQUE_CLASSICAL 0
 #define TECHNIQUE_NEAR 1
@@ -47,18 +46,19 @@ typedef struct {
     real3 outward;    // unit normal of the near side
     real offset;      // of its plane: a point's depth is offset - dot(outward, point)
     real thickness;
+    real share;       // of the guided techniques
     real far_light;   // light on the far side over that on the near side
     ModeLanes x, y, z;
-    natural tries;    // directions that were refused so far
+    natural tries;    // directions that were tried so far
     // Of the flight under way:
     whole technique;  // that draws its length
     bool has_far;     // some lane's may go to the far side
     GuidedFlight flight_x, flight_y, flight_z;
 } GuideLanes;
 
-// Numbers for a direction, in (0, 1): cosine, azimuth, and whether to keep it.
+// Numbers for a direction, in (0, 1).
 typedef struct {
-    real cosine, azimuth, keep;
+    real cosine, azimuth;
 } DirectionNumbers;
 
 // By how many e-folds a mode is stronger at the depth `near` below one side than at `far` below the other. Under bleed, which knows no
@@ -69,7 +69,7 @@ real guide_folds(const Scene *scene, real near, real far, Flight flight) {
 }
 
 // How strong the far side's mode is, for each channel, where the near side's is 1: by the depths of the position below both, and by
-// the light on both. Not at all where it is weakest (2e-9): thick objects need not be asked for a far side.
+// the light on both. None where it is weakest: thick objects have no far side.
 real3 guide_far_strength(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight) {
     const real below = guide->offset - dot3(guide->outward, position);
     const real near = max(min(below, guide->thickness), (real)(0.0f)), far = guide->thickness - near; // beyond the slab: at its end
@@ -78,7 +78,7 @@ real3 guide_far_strength(const Scene *scene, GuideLanes *guide, real3 sigma, rea
     folds.x = guide_folds(scene, near * rate_x, far * rate_x, flight);
     folds.y = guide_folds(scene, near * rate_y, far * rate_y, flight);
     folds.z = guide_folds(scene, near * rate_z, far * rate_z, flight);
-    const real least = (real)(-20.0f), most = (real)(20.0f);
+    const real least = (real)(GUIDE_LEAST_FOLDS), most = -least;
     guide->has_far = bits(largest(folds) > least) != 0u;
     real3 strength = triple((real)(0.0f));
     if (!guide->has_far) return strength;
@@ -94,18 +94,18 @@ real guide_rate(whole technique, real tilt) {
 }
 
 // Which technique to take, where the near side's has the share `near`.
-whole guide_technique(real near, real xi) {
+whole guide_technique(const GuideLanes *guide, real near, real xi) {
     return pick(xi < near, (whole)(TECHNIQUE_NEAR),
-                pick(xi < GUIDE_SHARE, (whole)(TECHNIQUE_FAR), (whole)(TECHNIQUE_CLASSICAL)));
+                pick(xi < guide->share, (whole)(TECHNIQUE_FAR), (whole)(TECHNIQUE_CLASSICAL)));
 }
 
 // Density of one channel's flight after an optical depth tau, over all techniques, per unit of tau. `classical` is flight_density's.
-real guided_density(const Scene *scene, const GuidedFlight *guided, bool has_far, Flight flight, real tau, real classical,
+real guided_density(const Scene *scene, const GuideLanes *guide, const GuidedFlight *guided, Flight flight, real tau, real classical,
                     mask left) {
     const real one = (real)(1.0f), near_rate = 1.0f - guided->tilt, far_rate = 1.0f + guided->tilt;
     const real near = pick(left, one, near_rate) * flight_density(scene, flight, near_rate * tau, left);
-    real density = fma(guided->near, near, (1.0f - GUIDE_SHARE) * classical);
-    if (has_far) {
+    real density = fma(guided->near, near, (1.0f - guide->share) * classical);
+    if (guide->has_far) {
         const real far = pick(left, one, far_rate) * flight_density(scene, flight, far_rate * tau, left);
         density = fma(guided->far, far, density);
     }

@@ -5,15 +5,16 @@
 #include "geometry/ray.h"
 #include "guide/guide.h"
 
-// Nearest of the material's modes: never one between two, whose phi and nu would not belong together.
-global const GuideMode *mode_of(const Scene *scene, global const Material *material, uint channel, float albedo, float g) {
-    const float similarity2 = (1.0f - albedo) / fmax(1.0f - albedo * g, 1e-6f);
-    uint i = convert_uint_rte(sqrt(sqrt(clamp(similarity2, 0.0f, 1.0f))) * (float)(GUIDE_ALBEDOS - 1));
+// The nearest of the material's modes for each channel, counted from its first: never one between two, whose phi and nu would not
+// belong together.
+uint4 nearest_modes(global const Material *material, float4 albedo, float4 g) {
+    const float4 similarity2 = (1.0f - albedo) / max(1.0f - albedo * g, 1e-6f);
+    uint4 i = convert_uint4_rte(sqrt(sqrt(clamp(similarity2, 0.0f, 1.0f))) * (float)(GUIDE_ALBEDOS - 1));
     if (material->guide_anisotropies > 1u) {
-        const float at = (clamp(g / GUIDE_LARGEST_ANISOTROPY, -1.0f, 1.0f) + 1.0f) * (float)GUIDE_ANISOTROPIES;
-        i += convert_uint_rte(at) * GUIDE_ALBEDOS;
+        const float4 at = (clamp(g / GUIDE_LARGEST_ANISOTROPY, -1.0f, 1.0f) + 1.0f) * (float)GUIDE_ANISOTROPIES;
+        i += convert_uint4_rte(at) * GUIDE_ALBEDOS;
     }
-    return scene->modes + material->guide_first[channel] + i;
+    return i;
 }
 
 void mode_load(ModeLanes *lanes, uint l, global const GuideMode *mode, float g) {
@@ -29,6 +30,9 @@ void mode_load(ModeLanes *lanes, uint l, global const GuideMode *mode, float g) 
     LANE_FLOAT(lanes->spread, l) = mode->spread;
 }
 
+// Under bleed the modes are poor guides, whose steps' weights multiply.
+float guide_share(float bleed) { return GUIDE_SHARE / (1.0f + 0.2f * bleed); }
+
 void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path) {
     global const Material *material = scene->materials + scene->objects[path->object].material;
     LANE_FLOAT(guide->outward.x, l) = path->outward.x;
@@ -36,12 +40,14 @@ void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path)
     LANE_FLOAT(guide->outward.z, l) = path->outward.z;
     LANE_FLOAT(guide->offset, l) = path->outward.w;
     LANE_FLOAT(guide->thickness, l) = path->thickness;
+    LANE_FLOAT(guide->share, l) = guide_share(path->bleed);
     LANE_FLOAT(guide->far_light, l) = path->far_light;
     LANE_UINT(guide->tries, l) = path->tries;
-    const float4 albedo = path->albedo, g = path->anisotropy;
-    mode_load(&guide->x, l, mode_of(scene, material, 0u, albedo.x, g.x), g.x);
-    mode_load(&guide->y, l, mode_of(scene, material, 1u, albedo.y, g.y), g.y);
-    mode_load(&guide->z, l, mode_of(scene, material, 2u, albedo.z, g.z), g.z);
+    const float4 g = path->anisotropy;
+    const uint4 i = nearest_modes(material, path->albedo, g);
+    mode_load(&guide->x, l, scene->modes + material->guide_first[0] + i.x, g.x);
+    mode_load(&guide->y, l, scene->modes + material->guide_first[1] + i.y, g.y);
+    mode_load(&guide->z, l, scene->modes + material->guide_first[2] + i.z, g.z);
 }
 
 // Light on the far side of a slab over that on the near side, which faces `outward`.
@@ -61,13 +67,16 @@ void guide_begin(const Scene *scene, Path *path, float3 position, float3 outward
     path->far_light = guide_far_light(scene->sides + path->object, outward);
 }
 
-// The ray that finds the thickness, from the entry straight down.
+// The ray that finds the thickness: from the entry straight down, as far as the far side may matter.
 Ray guide_probe(const Path *path) {
+    const float3 albedo = path->albedo.xyz, g = path->anisotropy.xyz;
+    // Light falls by one e-fold over no more than a mean free path more than in diffusion.
+    const float3 fold = (1.0f + rsqrt(3.0f * max((1.0f - albedo) * (1.0f - albedo * g), 1e-12f))) / path->sigma.xyz;
     Ray ray;
     ray.origin = path->position.xyz;
     ray.direction = -path->outward.xyz;
     ray.t_min = GUIDE_PROBE_START;
-    ray.t_max = MAXFLOAT;
+    ray.t_max = path->bleed > 0.0f ? MAXFLOAT : -GUIDE_LEAST_FOLDS * fmax(fold.x, fmax(fold.y, fold.z));
     return ray;
 }
 

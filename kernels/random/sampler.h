@@ -18,8 +18,8 @@ typedef enum {
     DRAW_TEXEL,      // of an environment image
     DRAW_ROULETTE,
     DRAW_WALK,       // one per flight of a walk: length, cosine, azimuth, roulette
-    DRAW_WALK_CHOICE, // one per flight: channel, technique, whether to keep a guided direction, technique of the length
-    DRAW_WALK_AGAIN,  // further tries of guided directions: cosine, azimuth, whether to keep it
+    DRAW_WALK_CHOICE, // one per flight: channel, technique, technique of the length
+    DRAW_WALK_TRY,    // one per try of a guided direction: cosine, azimuth, whether to keep it
     DRAW_COUNT
 } Draw;
 

@@ -30,7 +30,7 @@ struct Path {
     uint hits;         // surfaces its rays have met
     float thickness;   // walk: from the near to the far side
     float far_light;   // walk: light on the far side over that on the near side
-    uint tries;        // walk: directions that its guide refused
+    uint tries;        // walk: directions that its guide has tried
     uint pad[3];
 };
 

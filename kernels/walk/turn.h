@@ -79,8 +79,7 @@ uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
         const Natural4 choice = lane_draw(lanes->sampler, DRAW_WALK_CHOICE, walk->steps);
         if (walk_chooses(scene)) walk_choose(scene, walk, lane_unit(choice.x));
         xi_technique = lane_unit(choice.y);
-        numbers.keep = lane_unit(choice.z);
-        xi_length = lane_unit(choice.w);
+        xi_length = lane_unit(choice.z);
     }
     const uint waiting =
         walk_direct(scene, walk, &lanes->guide, xi_technique, xi_length, numbers, lanes->sampler, active);

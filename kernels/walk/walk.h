@@ -111,8 +111,8 @@ uint walk_direct(const Scene *scene, Walk *walk, GuideLanes *guide, real xi_tech
     const real g = walk_anisotropy(scene, walk);
     uint waiting = 0u;
     if (HAS(GUIDE_EIGEN))
-        waiting = eigen_direct(scene, guide, walk->sigma, walk->position, walk_flight(walk), walk->channel, g, entering, xi_technique, numbers,
-                               sampler, active, &walk->direction);
+        waiting = eigen_direct(scene, guide, walk->sigma, walk->position, walk_flight(walk), walk->channel, g, entering, xi_technique, sampler,
+                               active, &walk->direction);
     else if (HAS(GUIDE_DWIVEDI))
         dwivedi_direct(scene, guide, walk->sigma, walk->position, walk_flight(walk), walk->channel, walk->anisotropy, entering, xi_technique,
                        xi_length, numbers, &walk->direction);
@@ -174,9 +174,9 @@ void walk_arrive(const Scene *scene, Walk *walk, const GuideLanes *guide, real d
     density.z = flight_density(scene, flight, depth.z, left);
     real3 mixed = density;
     if (GUIDED) {
-        mixed.x = guided_density(scene, &guide->flight_x, guide->has_far, flight, depth.x, density.x, left);
-        mixed.y = guided_density(scene, &guide->flight_y, guide->has_far, flight, depth.y, density.y, left);
-        mixed.z = guided_density(scene, &guide->flight_z, guide->has_far, flight, depth.z, density.z, left);
+        mixed.x = guided_density(scene, guide, &guide->flight_x, flight, depth.x, density.x, left);
+        mixed.y = guided_density(scene, guide, &guide->flight_y, flight, depth.y, density.y, left);
+        mixed.z = guided_density(scene, guide, &guide->flight_z, flight, depth.z, density.z, left);
     }
     real3 scale = per_length;
     if (HAS(ANISOTROPY_RGB)) scale = product3(scale, walk->phase);
