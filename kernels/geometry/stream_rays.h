@@ -11,7 +11,7 @@
 #if LANES == 1
 #define STREAM_RAYS 1 // a work-item is one lane, and has one ray
 #else
-#define STREAM_RAYS 32
+#define STREAM_RAYS 64 // as many as there are walks in a turn
 #endif
 #endif
 #if STREAM_RAYS > 1 && (STREAM_RAYS > 64 || STREAM_RAYS % BVH_WIDTH != 0 || STREAM_RAYS % LANES != 0)

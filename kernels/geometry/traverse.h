@@ -40,6 +40,22 @@ void push_farther(uint child, float t, uint *first, float *first_t, uint *stack,
     (*size)++;
 }
 
+// The children whose `bits` are set, at least one: the closest of them and *first stays, the others go on the stack.
+ALWAYS_INLINE void enter_children(global const uint *child, const float *near_t, uint bits, uint *first, float *first_t,
+                                  uint *stack, float *stack_t, uint *size) {
+    uint i = lowest_bit(bits);
+    if (*first == BVH_NO_CHILD) {
+        *first = child[i];
+        *first_t = near_t[i];
+    } else {
+        push_farther(child[i], near_t[i], first, first_t, stack, stack_t, size);
+    }
+    for (bits &= bits - 1u; bits != 0u; bits &= bits - 1u) {
+        i = lowest_bit(bits);
+        push_farther(child[i], near_t[i], first, first_t, stack, stack_t, size);
+    }
+}
+
 // Child of `node` that the ray enters first, or BVH_NO_CHILD; the others that it enters go on the stack.
 uint enter_node(const Slabs *slabs, global const float *node, float t_min, float t_max, uint *stack, float *stack_t,
                 uint *size) {
@@ -48,20 +64,8 @@ uint enter_node(const Slabs *slabs, global const float *node, float t_min, float
     for (uint slot = 0; slot < BVH_WIDTH; slot += ROW_SIZE) {
         global const uint *child = (global const uint *)(node + BVH_ROW_CHILD * BVH_WIDTH + slot);
         Row near;
-        uint bits = boxes_hit(slabs, node + slot, t_min, t_max, &near);
-        if (bits == 0u) continue;
-        const float *near_t = (const float *)&near;
-        uint i = lowest_bit(bits);
-        if (first == BVH_NO_CHILD) {
-            first = child[i];
-            first_t = near_t[i];
-        } else {
-            push_farther(child[i], near_t[i], &first, &first_t, stack, stack_t, size);
-        }
-        for (bits &= bits - 1u; bits != 0u; bits &= bits - 1u) {
-            i = lowest_bit(bits);
-            push_farther(child[i], near_t[i], &first, &first_t, stack, stack_t, size);
-        }
+        const uint bits = boxes_hit(slabs, node + slot, t_min, t_max, &near);
+        if (bits != 0u) enter_children(child, (const float *)&near, bits, &first, &first_t, stack, stack_t, size);
     }
     return first;
 }
@@ -76,6 +80,20 @@ bool is_nearer(global const float *blocks, uint block, uint slot, float t, const
 // Blocks of a leaf.
 uint leaf_blocks(uint leaf) { return 1u + ((leaf >> BVH_LEAF_COUNT_SHIFT) & BVH_LEAF_COUNT_MASK); }
 
+// Takes the nearest of a block's hits, those of slot + i for each bit i of `bits`, t = distance / area, if it is nearer than
+// *hit.
+ALWAYS_INLINE void take_hits(global const float *blocks, uint block, uint slot, uint bits, const float *distance,
+                             const float *area, float t_min, Hit *hit) {
+    for (; bits != 0u; bits &= bits - 1u) {
+        const uint i = lowest_bit(bits);
+        const float t = distance[i] / area[i];
+        if (!(t > t_min) || !is_nearer(blocks, block, slot + i, t, hit)) continue;
+        hit->t = t;
+        hit->block = block;
+        hit->slot = slot + i;
+    }
+}
+
 // Hits of a leaf that are closer than hit->t. True as soon as there is one, if any will do.
 ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float t_min, bool any, Hit *hit) {
     const uint first = leaf & BVH_LEAF_FIRST_MASK, end = first + leaf_blocks(leaf);
@@ -83,19 +101,12 @@ ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uin
         global const float *rows = blocks + (size_t)block * (BVH_BLOCK_ROWS * BVH_WIDTH);
         for (uint slot = 0; slot < BVH_WIDTH; slot += ROW_SIZE) {
             Row distance, area;
-            uint bits = triangles_hit(shear, rows + slot, t_min, hit->t, &distance, &area);
+            const uint bits = triangles_hit(shear, rows + slot, t_min, hit->t, &distance, &area);
             if (any && bits != 0u) {
                 hit->block = block;
                 return true;
             }
-            for (; bits != 0u; bits &= bits - 1u) {
-                const uint i = lowest_bit(bits);
-                const float t = ((const float *)&distance)[i] / ((const float *)&area)[i];
-                if (!(t > t_min) || !is_nearer(blocks, block, slot + i, t, hit)) continue;
-                hit->t = t;
-                hit->block = block;
-                hit->slot = slot + i;
-            }
+            take_hits(blocks, block, slot, bits, (const float *)&distance, (const float *)&area, t_min, hit);
         }
     }
     return false;

@@ -120,10 +120,10 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
 // What became of walk w of a turn, one of those that `ends` names: out, or lost.
 Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, Path *path,
                 Counts *counts) {
-    const uint bit = 1u << w;
+    const Walks bit = (Walks)1 << w;
     lane_store(GROUP(groups, w / LANES), w % LANES, path);
-    COUNT_WALK(counts, path->steps + ((ends.left & bit) != 0u ? 1u : 0u)) // flights: the one that left, too
-    bool out = (ends.left & bit) != 0u;
+    COUNT_WALK(counts, path->steps + ((ends.left & bit) != 0 ? 1u : 0u)) // flights: the one that left, too
+    bool out = (ends.left & bit) != 0;
     float3 position = path->position.xyz, error = (float3)(0.0f), shading = path->direction.xyz, geometric = shading;
     if (out) {
         const Surface surface = surface_at(scene, stream_ray(stream, w), stream_hit(stream, scene->blocks, w));

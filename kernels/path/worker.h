@@ -20,7 +20,7 @@ typedef struct {
     bool exhausted;            // the launch has no more
     uint turns;                // of its lanes since then
     WalkLanes lanes[LANE_GROUPS];
-    uint walking;              // lanes in use, as bits
+    Walks walking;             // lanes in use
     RayStream stream;
     RayStream shadows;         // rays to lights
     float4 light[STREAM_RAYS]; // what they bring; w: the path's place in the pool
@@ -108,11 +108,11 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
 
 // Puts walks that wait into idle lanes.
 void worker_fill_lanes(const Scene *scene, Worker *worker) {
-    for (uint idle = ~worker->walking & WALKS_ALL; idle != 0u && worker->walk_count > 0u; idle &= idle - 1u) {
-        const uint l = lowest_bit(idle), at = worker->walks[--worker->walk_count];
+    for (Walks idle = ~worker->walking & WALKS_ALL; idle != 0u && worker->walk_count > 0u; idle &= idle - 1u) {
+        const uint l = lowest_bit64(idle), at = worker->walks[--worker->walk_count];
         const Path path = worker->pool[at];
         lane_load(scene, worker->lanes + l / LANES, l % LANES, &path, at);
-        worker->walking |= 1u << l;
+        worker->walking |= (Walks)1 << l;
     }
 }
 
@@ -124,9 +124,9 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
         if (worker->walking == 0u || (more && popcount(worker->walking) < WORKER_FEW_LANES)) break;
         if (worker->exhausted && worker->turns++ >= launch->batch.budget) break;
         const TurnEnds ends = walk_turn(scene, worker->lanes, &worker->stream, worker->walking, counts);
-        const uint ended = ends.left | ends.slipped | ends.ended | ends.capped;
+        const Walks ended = ends.left | ends.slipped | ends.ended | ends.capped;
         worker->walking &= ~ended;
-        FOR_BITS(l, ended) {
+        FOR_WALKS(l, ended) {
             const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);
             Path path = worker->pool[at];
             const Shadow shadow = lane_end(scene, worker->lanes, &worker->stream, l, ends, &path, counts);
@@ -140,7 +140,7 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
 
 // Leaves what is under way to the next launch, which has room for every path of every pool.
 void worker_suspend(Worker *worker, const Launch *launch) {
-    FOR_BITS(l, worker->walking) {
+    FOR_WALKS(l, worker->walking) {
         const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);
         Path path = worker->pool[at];
         lane_store(worker->lanes + l / LANES, l % LANES, &path);
