@@ -158,7 +158,7 @@ Ray path_ray(float3 position, float3 direction) {
 }
 
 // What the path's ray met: adds the light it found and goes on from there. Returns the direct light of the surface that is yet
-// to be asked for. `layers`: two float4 of the first surface.
+// to be asked for. `layers`: of this path.
 Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
     const Ray ray = path_ray(path->position.xyz, path->direction.xyz);
     counts->value[COUNTER_rays] += 1u;

@@ -2,6 +2,7 @@
 #ifndef NACRE_PATH_WALK_H
 #define NACRE_PATH_WALK_H
 
+#include "film/layers.h"
 #include "path/light.h"
 #include "walk/medium.h"
 #include "walk/turn.h"
@@ -100,12 +101,11 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
     path->depth = LANE_UINT(lanes->depth, l);
 }
 
-// What became of walk w of a turn, one of those that `ends` names: out, or lost.
+// What became of walk w of a turn, one of those that `ends` names: out, or lost. `layers`: of its path.
 Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, Path *path,
-                Counts *counts) {
+                Counts *counts, global float4 *layers) {
     const uint bit = 1u << w;
     lane_store(GROUP(groups, w / LANES), w % LANES, path);
-    COUNT_WALK(counts, path->steps + ((ends.left & bit) != 0u ? 1u : 0u)) // flights: the one that left, too
     bool out = (ends.left & bit) != 0u;
     float3 position = path->position.xyz, error = (float3)(0.0f), shading = path->direction.xyz, geometric = shading;
     if (out) {
@@ -114,7 +114,10 @@ Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *st
         error = surface.error;
         shading = surface.shading;
         geometric = surface.geometric;
-    } else if (ends.slipped & bit) {
+    }
+    COUNT_WALK(counts, path->steps + (out ? 1u : 0u)) // flights: the one that left, too
+    if (HAS(SCATTER_AOV)) layers_walked(scene, layers, path->radiance.xyz, path->steps);
+    if (ends.slipped & bit) {
         if (!scene->objects[path->object].closed) {
             path_lose(path, counts, COUNTER_escaped);
             return no_shadow();

@@ -46,8 +46,8 @@ std::uint32_t light_feature(LightKind kind) {
 
 } // namespace
 
-std::uint32_t features(const Scene &scene, bool surface_layers) {
-    std::uint32_t mask = surface_layers ? FEATURE_SURFACE_AOV : 0;
+std::uint32_t features(const Scene &scene, bool surface_layers, bool scatter_layers) {
+    std::uint32_t mask = (surface_layers ? FEATURE_SURFACE_AOV : 0) | (scatter_layers ? FEATURE_SCATTER_AOV : 0);
     for (const Object &object : scene.objects) {
         mask |= material_features(scene.materials[object.material]);
         if (!object.mesh.normals.empty()) mask |= FEATURE_SMOOTH;

@@ -17,7 +17,9 @@ class Lanes : public testing::TestWithParam<const char *> {
     Rendered with(int lanes, bool clearance) {
         scene.lanes = lanes;
         scene.render.clearance = clearance;
-        return rendered(scene);
+        render::Options options;
+        options.layers = {.zero = true, .single = true, .multiple = true, .steps = true};
+        return rendered(scene, options);
     }
     scene::Scene scene;
 };
