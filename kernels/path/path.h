@@ -35,7 +35,7 @@ Path path_begin(const Scene *scene, uint x, uint y, uint sample, uint slot) {
     path.albedo = (float4)(0.0f);
     path.anisotropy = path.bleed = path.first_number = 0.0f;
     path.object = path.flight = path.max_depth = path.channel = path.steps = path.depth = 0u;
-    path.pad = 0u;
+    path.scatters = 0u;
     const Sampler sampler = sampler_of(scene->frame->seed, path.pixel, sample, 0u);
     const float2 lens = HAS(LENS) ? draw_pair(sampler, DRAW_LENS) : (float2)(0.0f);
     float3 origin, direction;

@@ -3,6 +3,7 @@
 #define NACRE_PATH_WALK_H
 
 #include "film/layers.h"
+#include "path/interface.h"
 #include "path/light.h"
 #include "walk/medium.h"
 #include "walk/turn.h"
@@ -13,9 +14,13 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     global const Material *material = scene->materials + scene->objects[surface->object].material;
     medium_at(scene, material, surface->uv, path);
     const float2 entry = draw_pair(sampler, DRAW_ENTRY), first = draw_pair(sampler, DRAW_FIRST);
-    const float3 inner = material->entry == ENTRY_UNIFORM ? uniform_hemisphere(entry) : cosine_hemisphere(entry);
-    const float3 inwards = -surface->geometric;
-    path->direction.xyz = to_world(inner, inwards);
+    if (HAS(INTERFACE) && material->entry == ENTRY_REFRACTED) {
+        path->direction.xyz = interface_enter(scene, material, surface, path, sampler);
+    } else {
+        const float3 inner = material->entry == ENTRY_UNIFORM ? uniform_hemisphere(entry) : cosine_hemisphere(entry);
+        path->direction.xyz = to_world(inner, -surface->geometric);
+    }
+    if (HAS(INTERFACE)) path->scatters = 0u;
     path->position.xyz = surface->position;
     path->object = surface->object;
     path->first_number = first.y;
@@ -101,7 +106,7 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
     path->depth = LANE_UINT(lanes->depth, l);
 }
 
-// What became of walk w of a turn, one of those that `ends` names: out, or lost. `layers`: of its path.
+// What became of walk w of a turn, one of those that `ends` names: out, lost, or turned back at the surface. `layers`: of its path.
 Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, Path *path,
                 Counts *counts, global float4 *layers) {
     const uint bit = 1u << w;
@@ -109,14 +114,16 @@ Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *st
     bool out = (ends.left & bit) != 0u;
     float3 position = path->position.xyz, error = (float3)(0.0f), shading = path->direction.xyz, geometric = shading;
     if (out) {
-        const Surface surface = surface_at(scene, stream_ray(stream, w), stream_hit(stream, scene->blocks, w));
+        const Ray ray = stream_ray(stream, w);
+        const Surface surface = surface_at(scene, ray, stream_hit(stream, scene->blocks, w));
+        if (HAS(INTERFACE) && interface_holds(scene, &surface, ray.direction, path)) return no_shadow();
         position = surface.position;
         error = surface.error;
         shading = surface.shading;
         geometric = surface.geometric;
     }
-    COUNT_WALK(counts, path->steps + (out ? 1u : 0u)) // flights: the one that left, too
-    if (HAS(SCATTER_AOV)) layers_walked(scene, layers, path->radiance.xyz, path->steps);
+    COUNT_WALK(counts, path->scatters + path->steps + (out ? 1u : 0u)) // flights: the one that left, too
+    if (HAS(SCATTER_AOV)) layers_walked(scene, layers, path->radiance.xyz, path->scatters + path->steps);
     if (ends.slipped & bit) {
         if (!scene->objects[path->object].closed) {
             path_lose(path, counts, COUNTER_escaped);

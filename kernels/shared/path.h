@@ -26,7 +26,7 @@ struct Path {
     uint object, flight, max_depth, channel; // walk
     uint steps, depth; // walk: scatters so far; shells it is inside of
     uint hits;         // surfaces its rays have met
-    uint pad;
+    uint scatters;     // walk: those before it was last turned back at the surface
 };
 
 // One launch: `pixel_count` pixels from `first_pixel` on (in tile order), samples [first_sample, first_sample + sample_count) each.

@@ -21,6 +21,7 @@ std::uint32_t material_features(const Material &material) {
         mask |= FEATURE_SUBSURFACE;
         if (used(material, PARAMETER_subsurface_bleed, 0)) mask |= FEATURE_BLEED;
         if (used(material, PARAMETER_subsurface_scatter_anisotropy, 0)) mask |= FEATURE_ANISOTROPY;
+        if (material.entry == ENTRY_REFRACTED || material.internal_reflection) mask |= FEATURE_INTERFACE;
     }
     if (used(material, PARAMETER_subsurface_weight, 1)) mask |= FEATURE_DIFFUSE;
     if (metal || used(material, PARAMETER_specular_weight, 0)) mask |= FEATURE_SPECULAR;
