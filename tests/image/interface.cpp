@@ -1,4 +1,5 @@
 // Bodies below a dielectric interface: refracted entry and reflection inside.
+#include "image/box_scene.h"
 #include "image/furnace_scene.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -67,8 +68,8 @@ double fresnel(double cosine, double ior) {
 }
 
 // What is not absorbed on the way to and fro between two parallel faces that reflect R and let through a share x of the
-// light each way: R + (1 - R)^2 x / (1 - R x). Not at grazing angles: there even the narrowest lobe of microfacets (alpha
-// 1e-3, with GGX's tails) sends some light beyond the critical angle of the smooth faces, .3 % at 80 degrees.
+// light each way: R + (1 - R)^2 x / (1 - R x). Not at grazing angles: there even the narrowest lobe of microfacets
+// (alpha 1e-3, with GGX's tails) sends some light beyond the critical angle of the smooth faces, .3 % at 80 degrees.
 TEST(Interface, PlateIsExact) {
     for (const double tau : {.1, 1.})
         for (const double ior : {1., 1.5, 2.5})
@@ -103,6 +104,49 @@ TEST(Interface, HeldWalksAreLonger) {
     furnace.more = refracted + held;
     const Rendered closed = rendered(scene_of(furnace));
     EXPECT_GT(double(closed.statistics[shared::COUNTER_steps]), 1.5 * double(open.statistics[shared::COUNTER_steps]));
+}
+
+// In a white furnace light fills a body evenly, whatever its interface: all parts of walks between two meetings with
+// the surface together have the mean path 4 V / S, and a walk has 1 / (1 - F) of them, F being the mean reflectance
+// from inside. Parallel rays on a ball come from all sides alike. The layers count a walk as one, however often it was
+// held.
+TEST(Interface, HeldWalksInABallAreExact) {
+    constexpr double tau = 1, ior = 1.5;
+    double through = 0; // 1 - mean reflectance from outside = ior^2 (1 - F)
+    for (int i = 0; i < 10000; ++i) through += 2 * (i + .5) * 1e-4 * (1 - fresnel((i + .5) * 1e-4, ior)) * 1e-4;
+    scene::Scene scene = ball({}, tau);
+    scene.camera.height = 2.01; // all of the ball, so that every angle has its share
+    scene.image = {384, 384};
+    scene.render.spp = 1; // so that a pixel has one walk, which brings it a light of 1, or none
+    for (scene::Material &material : scene.materials) {
+        material.entry = shared::ENTRY_REFRACTED;
+        material.internal_reflection = true;
+        material[shared::PARAMETER_specular_weight].value = Vec3::Constant(1);
+        material[shared::PARAMETER_specular_ior].value = Vec3::Constant(ior);
+        material[shared::PARAMETER_specular_roughness].value = Vec3::Constant(0);
+    }
+    render::Options options;
+    options.layers = {.zero = true, .single = true, .multiple = true, .steps = true};
+    const io::Picture picture = rendered(scene, options).picture;
+    double walks = 0, steps = 0, squares = 0, covered = 0, never = 0, once = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 14) {
+        const float *pixel = picture.pixels.data() + i;
+        const bool walked = pixel[4] + pixel[7] + pixel[10] > .5f;
+        EXPECT_EQ(pixel[4] > .5f, walked && pixel[13] == 0) << "zero is what never scattered";
+        EXPECT_EQ(pixel[7] > .5f, walked && pixel[13] == 1);
+        covered += pixel[3];
+        walks += walked ? 1 : 0;
+        steps += pixel[13];
+        squares += pixel[13] * pixel[13];
+        never += pixel[4];
+        once += pixel[7];
+    }
+    EXPECT_NEAR(walks / covered, through, 4 * std::sqrt(through * (1 - through) / covered) + 1e-3);
+    const double error = std::sqrt((squares / walks - std::pow(steps / walks, 2)) / walks);
+    EXPECT_NEAR(steps / walks, 4 * tau / 3 * ior * ior / through, 4 * error);
+    EXPECT_LE(error, .03);
+    EXPECT_GT(never, .1 * walks);
+    EXPECT_GT(once, .1 * walks);
 }
 
 // A cap counts the scatters of the whole walk, not of its last part.

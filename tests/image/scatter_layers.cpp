@@ -106,6 +106,18 @@ TEST(ScatterLayers, LeaveOutWhatNeverWalked) {
         }
 }
 
+// What a coat reflects of its lights is found before the walk and is not the walk's: a black medium has nothing in its
+// layers.
+TEST(ScatterLayers, LeaveOutTheCoat) {
+    scene::Scene scene = ball({.albedo = {0, 0, 0}}, 1e4);
+    for (scene::Material &material : scene.materials)
+        material[shared::PARAMETER_specular_weight].value = Vec3::Constant(1);
+    scene.lights = {rect_light({0, 0, 9}, {3, 0, 0}, {0, -3, 0}, {5, 5, 5})};
+    const Rendered image = with(scene);
+    EXPECT_GT(mean_of(image, root).value, 1e-3);
+    for (const std::size_t order : {zero, single, multiple}) EXPECT_LE(mean_of(image, order).value, 1e-6);
+}
+
 // The walk that a path took first decides, not the last: a path that left a clear ball and walked in a dense one is the
 // ball's.
 TEST(ScatterLayers, FirstWalkDecides) {
