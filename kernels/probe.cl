@@ -1,4 +1,5 @@
 // Entry points that let a test call the rooms: samplers one by one, and whole walks in bodies with a known answer.
+#include "bsdf/refraction.h"
 #include "bsdf/specular.h"
 #include "bsdf/lambert.h"
 #include "flight/flight.h"
@@ -101,6 +102,22 @@ Specular probe_layer(Probe probe) {
     basis(specular.normal, &t, &b);
     specular.view = (float3)(dot(view, t), dot(view, b), dot(view, specular.normal));
     return specular;
+}
+
+// Directions into the medium below that layer. out: direction, and the share of its facet's light that is not reflected.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_refracted(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    const uint4 words = random_hash((uint4)(probe.seed, i, 7u, 9u));
+    const float2 xi = (float2)(random_unit(words.x), random_unit(words.y));
+    const Specular specular = probe_layer(probe);
+    float3 reflected;
+    float base;
+    specular_sample(&specular, xi, &reflected, &base);
+    const float3 view = (float3)(probe.a, probe.b, probe.c);
+    out[i] = (float4)(
+        refracted_entry(view, specular.normal, specular.geometric, specular.alpha, specular.eta, xi), base);
 }
 
 // out: direction, and BSDF x cosine there; reflectance of the microfacet, what is left for the base.

@@ -32,7 +32,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void accumulate(
     const uint i = get_global_id(0);
     uint x, y;
     if (i >= batch.pixel_count || !pixel_at(scene, batch.first_pixel + i, &x, &y)) return;
-    film_accumulate(batch.first_pixel + i, batch.sample_count, i * batch.sample_count, radiance, layers, planes, film);
+    film_accumulate(scene, batch.first_pixel + i, batch.sample_count, i * batch.sample_count, radiance, layers, planes, film);
 }
 
 // Direct light on points of surfaces, each given as a position and a unit normal: SIDE_SAMPLES samples of it per point.

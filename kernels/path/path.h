@@ -37,6 +37,7 @@ Path path_begin(const Scene *scene, uint x, uint y, uint sample, uint slot) {
     path.outward = (float4)(0.0f);
     path.bleed = path.first_number = path.thickness = path.far_light = 0.0f;
     path.object = path.flight = path.max_depth = path.channel = path.steps = path.depth = path.tries = 0u;
+    path.scatters = 0u;
     const Sampler sampler = sampler_of(scene->frame->seed, path.pixel, sample, 0u);
     const float2 lens = HAS(LENS) ? draw_pair(sampler, DRAW_LENS) : (float2)(0.0f);
     float3 origin, direction;
@@ -159,7 +160,7 @@ Ray path_ray(float3 position, float3 direction) {
 }
 
 // What the path's ray met: adds the light it found and goes on from there. Returns the direct light of the surface that is yet
-// to be asked for. `layers`: two float4 of the first surface.
+// to be asked for. `layers`: of this path.
 Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
     const Ray ray = path_ray(path->position.xyz, path->direction.xyz);
     counts->value[COUNTER_rays] += 1u;

@@ -17,7 +17,7 @@ void single_light(const Scene *scene, Path *path, const Shadow *shadow, Counts *
 
 // Takes up to *budget flights and counts them down. The path is then out, done, or still inside. Returns the direct light of
 // its exit that is yet to be asked for.
-Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts) {
+Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts, global float4 *layers) {
     WalkLanes lanes;
     RayStream stream;
     lane_load(scene, &lanes, 0u, path, 0u);
@@ -25,7 +25,7 @@ Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts)
         const TurnEnds ends = walk_turn(scene, &lanes, &stream, 1u, counts);
         if ((ends.left | ends.slipped | ends.ended | ends.capped) == 0u) continue;
         *budget -= 1u;
-        return lane_end(scene, &lanes, &stream, 0u, ends, path, counts);
+        return lane_end(scene, &lanes, &stream, 0u, ends, path, counts, layers);
     }
     lane_store(&lanes, 0u, path);
     return no_shadow();
@@ -41,7 +41,7 @@ void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts,
             shadow = next_meet(scene, path, hit, counts, layers);
             budget -= min(budget, PATH_RAY_COST);
         } else {
-            shadow = single_walk(scene, path, &budget, counts);
+            shadow = single_walk(scene, path, &budget, counts, layers);
         }
         single_light(scene, path, &shadow, counts); // in one place: rays are much code
     }
@@ -52,9 +52,9 @@ void trace_single(const Scene *scene, const Launch *launch, uint i, Counts *coun
     Path path;
     if (i >= launch_paths(launch) || !launch_path(scene, launch, i, &path, counts)) return;
     do {
-        single_advance(scene, &path, launch->batch.budget, counts, launch->layers + 2u * path.slot);
+        single_advance(scene, &path, launch->batch.budget, counts, launch_layers(scene, launch, path.slot));
     } while (path.state != PATH_DONE && !launch_suspend(launch, &path));
-    if (path.state == PATH_DONE) launch_take(launch, &path, counts);
+    if (path.state == PATH_DONE) launch_take(scene, launch, &path, counts);
 }
 
 #endif

@@ -7,7 +7,7 @@
 typedef struct {
     Batch batch;
     global float4 *radiance; // one per slot of the batch
-    global float4 *layers;   // two per slot
+    global float4 *layers;   // layers_each per slot
     global const Path *resumed;
     global Path *suspended;
     volatile global uint *counters;
@@ -15,6 +15,10 @@ typedef struct {
 
 uint launch_paths(const Launch *launch) {
     return launch->batch.resumed > 0u ? launch->batch.resumed : launch->batch.pixel_count * launch->batch.sample_count;
+}
+
+global float4 *launch_layers(const Scene *scene, const Launch *launch, uint slot) {
+    return launch->layers + layers_each(scene) * slot;
 }
 
 // Path i of the launch: pixel i / sample_count, sample i % sample_count, or a suspended one. False: beyond the crop's edge.
@@ -27,18 +31,19 @@ bool launch_path(const Scene *scene, const Launch *launch, uint i, Path *path, C
     if (!pixel_at(scene, launch->batch.first_pixel + i / launch->batch.sample_count, &x, &y)) return false;
     *path = path_begin(scene, x, y, launch->batch.first_sample + i % launch->batch.sample_count, i);
     counts->value[COUNTER_paths] += 1u;
-    if (HAS(SURFACE_AOV)) launch->layers[2u * i] = launch->layers[2u * i + 1u] = (float4)(0.0f);
+    layers_begin(scene, launch_layers(scene, launch, i));
     return true;
 }
 
 // The radiance of a path that is done. A sample that is NaN or infinite becomes black; it is counted, and the first remembered.
-void launch_take(const Launch *launch, const Path *path, Counts *counts) {
+void launch_take(const Scene *scene, const Launch *launch, const Path *path, Counts *counts) {
     const float4 radiance = path->radiance;
     if (isfinite(radiance.x + radiance.y + radiance.z)) {
         launch->radiance[path->slot] = radiance;
         return;
     }
     launch->radiance[path->slot] = (float4)(0.0f, 0.0f, 0.0f, radiance.w);
+    if (HAS(SCATTER_AOV)) layers_unwalked(scene, launch_layers(scene, launch, path->slot));
     counts->value[COUNTER_non_finite] += 1u;
     volatile global uint *counters = launch->counters;
     if (atomic_cmpxchg(counters + COUNTER_BAD_PIXEL, 0u, path->pixel + 1u) == 0u) {

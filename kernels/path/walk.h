@@ -2,10 +2,20 @@
 #ifndef NACRE_PATH_WALK_H
 #define NACRE_PATH_WALK_H
 
+#include "film/layers.h"
 #include "guide/load.h"
+#include "path/interface.h"
 #include "path/light.h"
 #include "walk/medium.h"
 #include "walk/turn.h"
+
+// The path is to walk, from `position` below a surface with the unit normal `outward`.
+void path_below(const Scene *scene, Path *path, float3 position, float3 outward) {
+    path->state = PATH_WALK;
+    if (!GUIDED) return;
+    guide_begin(scene, path, position, outward);
+    path->state = PATH_PROBE;
+}
 
 // Sends the path into the medium below `surface`, on the inner side of its geometric normal. Where a ray met the back of an
 // open mesh that side is outside: the walk leaves at once, and the sheet shows the light of its other side.
@@ -13,19 +23,19 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     global const Material *material = scene->materials + scene->objects[surface->object].material;
     medium_at(scene, material, surface->uv, path);
     const float2 entry = draw_pair(sampler, DRAW_ENTRY), first = draw_pair(sampler, DRAW_FIRST);
-    const float3 inner = material->entry == ENTRY_UNIFORM ? uniform_hemisphere(entry) : cosine_hemisphere(entry);
-    const float3 inwards = -surface->geometric;
-    path->direction.xyz = to_world(inner, inwards);
+    if (HAS(INTERFACE) && material->entry == ENTRY_REFRACTED) {
+        path->direction.xyz = interface_enter(scene, material, surface, path, sampler);
+    } else {
+        const float3 inner = material->entry == ENTRY_UNIFORM ? uniform_hemisphere(entry) : cosine_hemisphere(entry);
+        path->direction.xyz = to_world(inner, -surface->geometric);
+    }
+    if (HAS(INTERFACE)) path->scatters = 0u;
     path->position.xyz = surface->position;
     path->object = surface->object;
     path->first_number = first.y;
     path->depth = 1u;
     path->steps = 0u;
-    path->state = PATH_WALK;
-    if (GUIDED) {
-        guide_begin(scene, path, surface->position, surface->geometric);
-        path->state = PATH_PROBE;
-    }
+    path_below(scene, path, surface->position, surface->geometric);
     const WalkStart start = walk_start(scene, first.x);
     path->weight.xyz = start.weight;
     path->share.xyz = start.share;
@@ -117,21 +127,28 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
     path->tries = LANE_UINT(lanes->guide.tries, l);
 }
 
-// What became of walk w of a turn, one of those that `ends` names: out, or lost.
+// What became of walk w of a turn, one of those that `ends` names: out, lost, or turned back at the surface. `layers`: of its path.
 Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, Path *path,
-                Counts *counts) {
+                Counts *counts, global float4 *layers) {
     const Walks bit = (Walks)1 << w;
     lane_store(GROUP(groups, w / LANES), w % LANES, path);
-    COUNT_WALK(counts, path->steps + ((ends.left & bit) != 0 ? 1u : 0u)) // flights: the one that left, too
     bool out = (ends.left & bit) != 0;
     float3 position = path->position.xyz, error = (float3)(0.0f), shading = path->direction.xyz, geometric = shading;
     if (out) {
-        const Surface surface = surface_at(scene, stream_ray(stream, w), stream_hit(stream, scene->blocks, w));
+        const Ray ray = stream_ray(stream, w);
+        const Surface surface = surface_at(scene, ray, stream_hit(stream, scene->blocks, w));
+        if (HAS(INTERFACE) && interface_holds(scene, &surface, ray.direction, path)) {
+            path_below(scene, path, surface.position, surface.geometric);
+            return no_shadow();
+        }
         position = surface.position;
         error = surface.error;
         shading = surface.shading;
         geometric = surface.geometric;
-    } else if (ends.slipped & bit) {
+    }
+    COUNT_WALK(counts, path->scatters + path->steps + (out ? 1u : 0u)) // flights: the one that left, too
+    if (HAS(SCATTER_AOV)) layers_walked(scene, layers, path->radiance.xyz, path->scatters + path->steps);
+    if (ends.slipped & bit) {
         if (!scene->objects[path->object].closed) {
             path_lose(path, counts, COUNTER_escaped);
             return no_shadow();

@@ -48,7 +48,7 @@ void worker_ask_light(const Scene *scene, Worker *worker, uint at, const Shadow 
 }
 
 // Puts a path where its state says.
-void worker_file(Worker *worker, const Launch *launch, uint at, Counts *counts) {
+void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint at, Counts *counts) {
     const uint state = worker->pool[at].state;
     if (state == PATH_RAY || state == PATH_PROBE) {
         worker->rays[worker->ray_count++] = (ushort)at;
@@ -56,7 +56,7 @@ void worker_file(Worker *worker, const Launch *launch, uint at, Counts *counts) 
         worker->walks[worker->walk_count++] = (ushort)at;
     } else {
         const Path path = worker->pool[at];
-        launch_take(launch, &path, counts);
+        launch_take(scene, launch, &path, counts);
         worker->vacant[worker->vacant_count++] = (ushort)at;
     }
 }
@@ -77,7 +77,7 @@ void worker_begin(const Scene *scene, Worker *worker, const Launch *launch, Coun
         if (!launch_path(scene, launch, worker->next++, &path, counts)) continue;
         const uint at = worker->vacant[--worker->vacant_count];
         worker->pool[at] = path;
-        worker_file(worker, launch, at, counts);
+        worker_file(scene, worker, launch, at, counts);
     }
 }
 
@@ -97,12 +97,12 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
             const uint at = worker->rays[first + i];
             Path path = worker->pool[at];
             const Shadow shadow = next_meet(scene, &path, stream_hit(&worker->stream, scene->blocks, i), counts,
-                                            launch->layers + 2u * path.slot);
+                                            launch_layers(scene, launch, path.slot));
             worker->pool[at] = path;
             worker_ask_light(scene, worker, at, &shadow, counts);
         }
         worker_light(scene, worker, counts);
-        for (uint i = 0; i < part; i++) worker_file(worker, launch, worker->rays[first + i], counts);
+        for (uint i = 0; i < part; i++) worker_file(scene, worker, launch, worker->rays[first + i], counts);
     }
 }
 
@@ -129,10 +129,11 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
         FOR_WALKS(l, ended) {
             const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);
             Path path = worker->pool[at];
-            const Shadow shadow = lane_end(scene, worker->lanes, &worker->stream, l, ends, &path, counts);
+            const Shadow shadow = lane_end(scene, worker->lanes, &worker->stream, l, ends, &path, counts,
+                                           launch_layers(scene, launch, path.slot));
             worker->pool[at] = path;
             worker_ask_light(scene, worker, at, &shadow, counts);
-            worker_file(worker, launch, at, counts); // a walk that ends for good asks for no light
+            worker_file(scene, worker, launch, at, counts); // a walk that ends for good asks for no light
         }
     }
     worker_light(scene, worker, counts);

@@ -24,7 +24,9 @@
     X(DELTA_LIGHT)       /* point or directional lights */                                                             \
     X(LENS)              /* camera aperture > 0 */                                                                     \
     X(SURFACE_AOV)       /* layers albedo, N, depth */                                                                  \
-    X(CLEARANCE)         /* an object has a clearance field */
+    X(CLEARANCE)         /* an object has a clearance field */                                                         \
+    X(SCATTER_AOV)       /* layers of scattering orders, walk.steps */                                                 \
+    X(INTERFACE)         /* refracted entry, or reflection inside, somewhere */
 
 SHARED_BEGIN
 

@@ -31,7 +31,8 @@ struct Path {
     float thickness;   // walk: from the near to the far side
     float far_light;   // walk: light on the far side over that on the near side
     uint tries;        // walk: directions that its guide has tried
-    uint pad[3];
+    uint scatters;     // walk: those before it was last turned back at the surface
+    uint pad[2];
 };
 
 // One launch: `pixel_count` pixels from `first_pixel` on (in tile order), samples [first_sample, first_sample + sample_count) each.
@@ -56,12 +57,18 @@ typedef struct Batch Batch;
 // Paths that a worker (a work-item of LANES > 1) has under way at a time. They stay in its second-level cache.
 #define POOL_PATHS 256
 
-// Planes of the film: sums over the samples of one block, float4 each.
+// What a path keeps for the layers of its first surface and of its first walk, in float4: film/layers.h.
+#define LAYERS_SURFACE 2u
+#define LAYERS_SCATTER 1u
+
+// Planes of the film: sums over the samples of one block, float4 each. Behind those that are always there come, where they are
+// asked for, those of the first surface (albedo and depth, normal), then those of the first walk (light that scattered never
+// and the number of walks, once and the number of scatters, more often).
 #define FILM_RADIANCE 0 // rgb, alpha
 #define FILM_SQUARE 1   // squares of rgb
-#define FILM_ALBEDO 2   // albedo, depth
-#define FILM_NORMAL 3
-#define FILM_PLANES 4
+#define FILM_PLANES 2
+#define FILM_SURFACE_PLANES 2
+#define FILM_SCATTER_PLANES 3
 
 // Samples are added up in float within aligned blocks of this many, the blocks in double on the host.
 #define FILM_BLOCK 64

@@ -35,7 +35,7 @@ enum Parameter {
 enum FlightLaw { FLIGHT_RENEWAL, FLIGHT_RECIPROCAL };
 enum ChannelSampling { CHANNEL_SINGLE, CHANNEL_ALBEDO, CHANNEL_THROUGHPUT, CHANNEL_HERO };
 enum Inversion { INVERSION_VAN_DE_HULST, INVERSION_NONE };
-enum Entry { ENTRY_LAMBERT, ENTRY_UNIFORM };
+enum Entry { ENTRY_LAMBERT, ENTRY_UNIFORM, ENTRY_REFRACTED };
 enum LightKind { LIGHT_ENVIRONMENT, LIGHT_ENVIRONMENT_IMAGE, LIGHT_RECT, LIGHT_TRIANGLE, LIGHT_POINT, LIGHT_DIRECTIONAL };
 enum CameraKind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
 
@@ -69,7 +69,7 @@ struct Material {
     float radius_scale;            // of a texture of radii, to the kernels' units (value[] has it already)
     uint guide_first[3];           // its first GuideMode, per channel
     uint guide_anisotropies;       // 1: made for its anisotropy; else for any, see shared/guide.h
-    uint pad;
+    int internal_reflection;       // walks may be turned back at the surface
 };
 
 // RGBA or one channel, half floats, linear, row 0 at v = 1 (the top of the picture).

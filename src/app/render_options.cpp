@@ -1,5 +1,6 @@
 #include "app/render_options.h"
 #include "base/error.h"
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -42,7 +43,9 @@ void RenderOptions::add_to(CLI::App &command) {
         ->type_name("FILE");
     command.add_option("--crop", crop, "Render only pixels X0 <= x < X1, Y0 <= y < Y1")->type_name("X0,Y0,X1,Y1");
     command
-        .add_option("--aov", aov, "Layers: albedo,N,depth,variance,samples, or none (default: all in EXR, none in PNG)")
+        .add_option("--aov", aov,
+                    "Layers: albedo,N,depth,variance,samples (the default in EXR), subsurface.zero,subsurface.single,"
+                    "subsurface.multiple (light by how often it scattered), walk.steps, or none (the default in PNG)")
         ->type_name("LIST");
     command.add_option("--stats", stats, "Write what was done and what it cost as JSON")->type_name("FILE");
     command.add_option("--trace", trace, "Write what happened when, for Perfetto or chrome://tracing")
@@ -80,22 +83,29 @@ render::Layers RenderOptions::layers() const {
         layers.albedo = layers.normal = layers.depth = layers.variance = layers.samples = exr;
         return layers;
     }
+    bool none = false;
+    const std::pair<const char *, bool *> known[] = {{"albedo", &layers.albedo},
+                                                     {"N", &layers.normal},
+                                                     {"depth", &layers.depth},
+                                                     {"variance", &layers.variance},
+                                                     {"samples", &layers.samples},
+                                                     {"subsurface.zero", &layers.zero},
+                                                     {"subsurface.single", &layers.single},
+                                                     {"subsurface.multiple", &layers.multiple},
+                                                     {"walk.steps", &layers.steps},
+                                                     {"none", &none}};
     for (std::size_t from = 0; from <= aov->size();) {
         const std::size_t comma = std::min(aov->find(',', from), aov->size());
         const std::string name = aov->substr(from, comma - from);
-        if (name == "albedo")
-            layers.albedo = true;
-        else if (name == "N")
-            layers.normal = true;
-        else if (name == "depth")
-            layers.depth = true;
-        else if (name == "variance")
-            layers.variance = true;
-        else if (name == "samples")
-            layers.samples = true;
-        else if (name != "none")
+        const auto found =
+            std::find_if(std::begin(known), std::end(known), [&](const auto &layer) { return layer.first == name; });
+        if (found == std::end(known)) {
+            std::vector<std::string> names;
+            for (const auto &layer : known) names.push_back(layer.first);
             throw Error(Exit::usage, "--aov " + *aov,
-                        fmt::format("'{}' is no layer; there are albedo, N, depth, variance, samples, none", name));
+                        fmt::format("'{}' is no layer; there are {}", name, fmt::join(names, ", ")));
+        }
+        *found->second = true;
         from = comma + 1;
     }
     return layers;

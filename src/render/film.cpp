@@ -7,6 +7,12 @@ namespace nacre::render {
 
 using namespace shared;
 
+std::uint32_t Layers::planes() const {
+    return FILM_PLANES + (surface() ? FILM_SURFACE_PLANES : 0) + (scatter() ? FILM_SCATTER_PLANES : 0);
+}
+
+std::uint32_t Layers::kept() const { return (surface() ? LAYERS_SURFACE : 0) + (scatter() ? LAYERS_SCATTER : 0); }
+
 Film::Film(const Crop &crop, std::uint32_t planes)
     : crop(crop), planes(planes), columns((crop.width() + TILE - 1) / TILE),
       count(columns * ((crop.height() + TILE - 1) / TILE) * TILE * TILE), sums(std::size_t(count) * planes * 4),
@@ -51,6 +57,10 @@ io::Picture Film::picture(const Layers &layers, double unit, double length) cons
     layer(layers.depth, {"depth.Z"});
     layer(layers.variance, {"variance.R", "variance.G", "variance.B"});
     layer(layers.samples, {"samples"});
+    layer(layers.zero, {"subsurface.zero.R", "subsurface.zero.G", "subsurface.zero.B"});
+    layer(layers.single, {"subsurface.single.R", "subsurface.single.G", "subsurface.single.B"});
+    layer(layers.multiple, {"subsurface.multiple.R", "subsurface.multiple.G", "subsurface.multiple.B"});
+    layer(layers.steps, {"walk.steps"});
     picture.pixels.reserve(picture.channels.size() * crop.width() * crop.height());
 
     for (std::uint32_t y = 0; y < crop.height(); ++y)
@@ -63,7 +73,8 @@ io::Picture Film::picture(const Layers &layers, double unit, double length) cons
             for (int c = 0; c < 3; ++c) put(sum[c] * scale * unit);
             put(sum[3] * scale);
             const double *square = sum + 4 * FILM_SQUARE;
-            const double *albedo = sum + 4 * FILM_ALBEDO, *normal = sum + 4 * FILM_NORMAL;
+            const double *albedo = sum + 4 * FILM_PLANES, *normal = albedo + 4;
+            const double *orders = sum + 4 * (FILM_PLANES + (layers.surface() ? FILM_SURFACE_PLANES : 0));
             if (layers.albedo)
                 for (int c = 0; c < 3; ++c) put(albedo[c] * scale);
             if (layers.normal)
@@ -75,6 +86,10 @@ io::Picture Film::picture(const Layers &layers, double unit, double length) cons
                     put(n > 1 ? std::max(0.0, square[c] * scale - mean * mean) / (n - 1) * unit * unit : 0);
                 }
             if (layers.samples) put(n);
+            const bool wanted[] = {layers.zero, layers.single, layers.multiple};
+            for (int order = 0; order < FILM_SCATTER_PLANES; ++order)
+                for (int c = 0; c < 3 && wanted[order]; ++c) put(orders[4 * order + c] * scale * unit);
+            if (layers.steps) put(orders[3] > 0 ? orders[7] / orders[3] : 0); // scatters by walks
         }
     return picture;
 }

@@ -10,7 +10,14 @@ namespace nacre::render {
 /// Which layers a picture has beside RGBA.
 struct Layers {
     bool albedo = false, normal = false, depth = false, variance = false, samples = false;
+    bool zero = false, single = false, multiple = false; // light of paths by how often their first walk scattered
+    bool steps = false;                                  // mean number of scatters of these walks
     bool surface() const { return albedo || normal || depth; }
+    bool scatter() const { return zero || single || multiple || steps; }
+
+    /// float4 that a pixel has in the film, and that a path keeps until the film takes them: shared/path.h.
+    std::uint32_t planes() const;
+    std::uint32_t kept() const;
 };
 
 /// Sums over all samples of every pixel, in double, in units of the device's film. Pixels are in tile order

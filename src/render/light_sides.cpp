@@ -14,7 +14,7 @@ constexpr int points_per_object = 512;
 bool has_sides(const scene::Scene &scene) {
     return std::any_of(scene.lights.begin(), scene.lights.end(),
                        [](const scene::Light &light) { return light.kind != LIGHT_ENVIRONMENT; }) ||
-           (scene::features(scene, false) & FEATURE_EMISSION);
+           (scene::features(scene, false, false) & FEATURE_EMISSION);
 }
 
 float4 to_float4(const Vec3f &v, float w) { return {v.x(), v.y(), v.z(), w}; }

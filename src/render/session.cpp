@@ -27,7 +27,7 @@ Crop crop_that_fits(const Options &options, const scene::Scene &scene, const dev
     Crop crop = options.crop;
     if (crop.x1 == 0) crop = {0, 0, std::uint32_t(scene.image.width), std::uint32_t(scene.image.height)};
     const std::uint64_t columns = (crop.width() + TILE - 1) / TILE, rows = (crop.height() + TILE - 1) / TILE;
-    const std::uint64_t bytes = columns * rows * TILE * TILE * FILM_PLANES * sizeof(float4);
+    const std::uint64_t bytes = columns * rows * TILE * TILE * options.layers.planes() * sizeof(float4);
     const std::uint64_t limit = device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     if (bytes > limit)
         throw Error(
@@ -55,7 +55,6 @@ struct Session::Impl {
     device::Device device;
     Layers layers;
     Crop crop;
-    std::uint32_t planes;
     Clock::time_point start = Clock::now();
     Statistics statistics;
     DeviceScene scene;
@@ -70,10 +69,10 @@ struct Session::Impl {
 
     Impl(device::Device opened, const scene::Scene &source, const Options &options)
         : device(with_lanes(std::move(opened), source.lanes)), layers(options.layers),
-          crop(crop_that_fits(options, source, device)), planes(layers.surface() ? FILM_PLANES : FILM_ALBEDO),
-          film(crop, planes), timeline(options.timeline), recorder(timeline),
-          full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
-        scene = upload(device, source, scene::features(source, layers.surface()), crop, timeline);
+          crop(crop_that_fits(options, source, device)), film(crop, layers.planes()), timeline(options.timeline),
+          recorder(timeline), full_width(std::uint32_t(source.image.width)),
+          full_height(std::uint32_t(source.image.height)) {
+        scene = upload(device, source, scene::features(source, layers.surface(), layers.scatter()), crop, timeline);
         const std::uint32_t features = scene.frame.features; // with those that only the geometry shows
         device::Variant variant;
         variant.features = options.generic ? std::uint32_t(FEATURE_ALL) : features;
@@ -85,7 +84,7 @@ struct Session::Impl {
             const Span span(timeline, "compile");
             program = device::build(device, variant);
         }
-        tracer = std::make_unique<Tracer>(device, program, scene, planes, film.pixels(),
+        tracer = std::make_unique<Tracer>(device, program, scene, layers, film.pixels(),
                                           std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)),
                                           options.profile, recorder);
         // Last: Oclgrind takes a buffer that comes in the place of a released one to be initialised no further than

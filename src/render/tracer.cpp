@@ -23,7 +23,7 @@ cl::Buffer make(const device::Device &device, std::size_t bytes) {
 } // namespace
 
 Tracer::Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-               std::uint32_t planes, std::uint32_t film_pixels, std::uint32_t capacity, bool profile,
+               const Layers &kept, std::uint32_t film_pixels, std::uint32_t capacity, bool profile,
                device::Recorder &recorder)
     : device(device), recorder(recorder), trace_kernel(program.program, "trace_paths"),
       accumulate_kernel(program.program, "accumulate"),
@@ -31,8 +31,8 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
       suspended_capacity(room_for_suspended(device, workers, scene.frame.features, capacity)),
       counted(profile ? PROFILE_WORDS : COUNTER_WORDS) {
     radiance_bytes = std::size_t(capacity) * sizeof(float4);
-    layer_bytes = planes > FILM_ALBEDO ? 2 * radiance_bytes : 0;
-    film_bytes = std::size_t(film_pixels) * planes * sizeof(float4);
+    layer_bytes = kept.kept() * radiance_bytes;
+    film_bytes = std::size_t(film_pixels) * kept.planes() * sizeof(float4);
     path_bytes = std::size_t(suspended_capacity) * sizeof(Path);
     pool_bytes = std::size_t(workers) * POOL_PATHS * sizeof(Path);
     radiance = make(device, radiance_bytes);
@@ -51,7 +51,7 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     accumulate_kernel.setArg(scene_arguments + 1, radiance);
     accumulate_kernel.setArg(scene_arguments + 2, layers);
     accumulate_kernel.setArg(scene_arguments + 3, film);
-    accumulate_kernel.setArg(scene_arguments + 4, planes);
+    accumulate_kernel.setArg(scene_arguments + 4, kept.planes());
 }
 
 double Tracer::launch(cl::Kernel &kernel, std::size_t items) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "device/program.h"
 #include "device/recorder.h"
+#include "render/film.h"
 #include "render/statistics.h"
 #include "render/upload.h"
 #include "shared/path.h"
@@ -11,7 +12,7 @@ namespace nacre::render {
 class Tracer {
   public:
     /// `capacity`: most paths of a batch.
-    Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene, std::uint32_t planes,
+    Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene, const Layers &layers,
            std::uint32_t film_pixels, std::uint32_t capacity, bool profile, device::Recorder &recorder);
 
     /// Traces a batch to its end (suspended paths included) and adds it to the film. Throws cl::Error; after one that

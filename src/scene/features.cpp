@@ -23,6 +23,7 @@ std::uint32_t material_features(const Material &material) {
         if (used(material, PARAMETER_subsurface_scatter_anisotropy, 0)) mask |= FEATURE_ANISOTROPY;
         const Vec3 &g = material[PARAMETER_subsurface_scatter_anisotropy].value;
         if ((g.array() != g.x()).any()) mask |= FEATURE_ANISOTROPY_RGB;
+        if (material.entry == ENTRY_REFRACTED || material.internal_reflection) mask |= FEATURE_INTERFACE;
     }
     if (used(material, PARAMETER_subsurface_weight, 1)) mask |= FEATURE_DIFFUSE;
     if (metal || used(material, PARAMETER_specular_weight, 0)) mask |= FEATURE_SPECULAR;
@@ -57,8 +58,8 @@ std::uint32_t guide_feature(Guiding guiding) {
 
 } // namespace
 
-std::uint32_t features(const Scene &scene, bool surface_layers) {
-    std::uint32_t mask = surface_layers ? FEATURE_SURFACE_AOV : 0;
+std::uint32_t features(const Scene &scene, bool surface_layers, bool scatter_layers) {
+    std::uint32_t mask = (surface_layers ? FEATURE_SURFACE_AOV : 0) | (scatter_layers ? FEATURE_SCATTER_AOV : 0);
     for (const Object &object : scene.objects) {
         mask |= material_features(scene.materials[object.material]);
         if (!object.mesh.normals.empty()) mask |= FEATURE_SMOOTH;

@@ -37,7 +37,8 @@ struct Material {
     shared::FlightLaw flight = shared::FLIGHT_RENEWAL;
     shared::Inversion inversion = shared::INVERSION_VAN_DE_HULST;
     shared::Entry entry = shared::ENTRY_LAMBERT;
-    std::uint32_t max_depth = 0; // scatters a walk may have, 0: no cap
+    std::uint32_t max_depth = 0;      // scatters a walk may have, 0: no cap
+    bool internal_reflection = false; // walks may be turned back at the surface
 
     Material();
     Value &operator[](shared::Parameter p) { return values[p]; }

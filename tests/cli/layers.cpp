@@ -42,6 +42,27 @@ TEST_F(Cli, AovChoosesLayers) {
     EXPECT_EQ(sorted(read_picture(folder / "none.exr")->channels), (Names{"A", "B", "G", "R"}));
 }
 
+TEST_F(Cli, AovOfScatteringOrders) {
+    const std::string all = "subsurface.zero,subsurface.single,subsurface.multiple,walk.steps";
+    ASSERT_EQ(run(small_render(ball, "orders.exr", {"--aov", all, "--spp", "4"})).code, 0);
+    const auto picture = read_picture(folder / "orders.exr");
+    EXPECT_EQ(sorted(picture->channels),
+              (Names{"A", "B", "G", "R", "subsurface.multiple.B", "subsurface.multiple.G", "subsurface.multiple.R",
+                     "subsurface.single.B", "subsurface.single.G", "subsurface.single.R", "subsurface.zero.B",
+                     "subsurface.zero.G", "subsurface.zero.R", "walk.steps"}));
+    const std::size_t middle = (6 * 16 + 8) * picture->channels.size();
+    double light = 0, steps = 0;
+    for (std::size_t i = 0; i < picture->channels.size(); ++i) {
+        const std::string &name = picture->channels[i];
+        if (name.rfind("subsurface.", 0) == 0 && name.back() == 'G') light += picture->pixels[middle + i];
+        if (name == "walk.steps") steps = picture->pixels[middle + i];
+    }
+    EXPECT_NEAR(light, 1, 1e-4) << "a furnace is white, and all its light came through the ball";
+    EXPECT_GT(steps, 0);
+    ASSERT_EQ(run(small_render(ball, "one.exr", {"--aov", "walk.steps"})).code, 0);
+    EXPECT_EQ(sorted(read_picture(folder / "one.exr")->channels), (Names{"A", "B", "G", "R", "walk.steps"}));
+}
+
 TEST_F(Cli, ExrSaysWhereItComesFrom) {
     ASSERT_EQ(run(small_render(ball, "out.exr", {"--seed", "7", "--spp", "3"})).code, 0);
     const auto metadata = read_picture(folder / "out.exr")->metadata;

@@ -82,6 +82,7 @@ TEST_F(JsonErrors, Types) {
         {section(R"("image": {"width": true})"), {"image.width: expected a number, got true"}},
         {section(R"("device": {"lanes": 3})"), {"device.lanes: must be 1, 4, 8 or 16, or 0 for what suits the device"}},
         {section(R"("render": {"clearance": 1})"), {"render.clearance: expected true or false, got 1"}},
+        {material(R"("subsurface_internal_reflection": 1)"), {"_reflection: expected true or false, got 1"}},
         {section(R"("materials": [])"), {"materials: expected an object"}},
         {section(R"("lights": {})"), {"lights: expected an array"}},
         {section(R"("lights": [3])"), {"lights.0: expected an object, got 3"}},
@@ -140,7 +141,6 @@ TEST_F(JsonErrors, NotBuiltYet) {
         {section(R"("render": {"guiding": "eigne"})"), {"unknown value 'eigne', did you mean 'eigen'?"}},
         {material(R"("subsurface_model": "burley")"), {"'burley' is not built yet, use random_walk"}},
         {material(R"("subsurface_inversion": "table")"), {"'table' is not built yet, use van_de_hulst or none"}},
-        {material(R"("subsurface_entry": "refracted")"), {"'refracted' is not built yet, use lambert or uniform"}},
     };
     for (const auto &[json, fragments] : cases) expect_error(json, fragments);
 }

@@ -23,8 +23,8 @@ TEST_F(JsonScene, EveryFieldIsRead) {
         "subsurface_weight": 0.11, "subsurface_color": {"texture": "red.ppm", "scale": [2, 3], "offset": [4, 5]},
         "subsurface_radius": 0.12, "subsurface_radius_scale": [0.13, 0.14, 0.15],
         "subsurface_scatter_anisotropy": -0.16, "subsurface_bleed": 0.17, "subsurface_flight": "reciprocal",
-        "subsurface_model": "random_walk", "subsurface_inversion": "none", "subsurface_entry": "uniform",
-        "subsurface_max_depth": 256, "geometry_normal": {"texture": "red.ppm"}}},
+        "subsurface_model": "random_walk", "subsurface_inversion": "none", "subsurface_entry": "refracted",
+        "subsurface_internal_reflection": true, "subsurface_max_depth": 256, "geometry_normal": {"texture": "red.ppm"}}},
       "objects": [{"box": {"min": [0,0,0], "max": [1,2,3]}, "material": "wax"}],
       "lights": [{"type": "environment", "radiance": [1,2,3], "visible": false},
                  {"type": "environment", "image": "red.ppm", "scale": 2, "rotate": 90},
@@ -67,7 +67,8 @@ TEST_F(JsonScene, EveryFieldIsRead) {
     EXPECT_EQ(value(PARAMETER_subsurface_bleed), Vec3::Constant(0.17));
     EXPECT_EQ(m.flight, FLIGHT_RECIPROCAL);
     EXPECT_EQ(m.inversion, INVERSION_NONE);
-    EXPECT_EQ(m.entry, ENTRY_UNIFORM);
+    EXPECT_EQ(m.entry, ENTRY_REFRACTED);
+    EXPECT_TRUE(m.internal_reflection);
     EXPECT_EQ(m.max_depth, 256u);
     ASSERT_GE(m[PARAMETER_subsurface_color].texture, 0);
     const scene::Texture &texture = s.textures[m[PARAMETER_subsurface_color].texture];

@@ -7,8 +7,8 @@ namespace nacre {
 namespace {
 
 std::string describe(const Furnace &f) {
-    return fmt::format("{} bleed {} g {} {} radius scale {} specular {} smooth {}", f.flight, f.bleed, f.g, f.sampling,
-                       f.radius_scale, f.specular, f.smooth);
+    return fmt::format("{} bleed {} g {} {} radius scale {} specular {} smooth {}{}", f.flight, f.bleed, f.g,
+                       f.sampling, f.radius_scale, f.specular, f.smooth, f.more);
 }
 
 // Nothing is lost, and hardly a walk slips through the surface (by rounding, where an edge is grazed).
@@ -26,11 +26,11 @@ scene::Scene scene_of(const Furnace &f) {
              "render": {{"spp": {}, "max_depth": 0, "channel_sampling": "{}"}},
              "materials": {{"white": {{"subsurface_weight": 1, "subsurface_albedo": 1, "subsurface_radius": {},
                "subsurface_radius_scale": {}, "subsurface_scatter_anisotropy": {}, "subsurface_bleed": {},
-               "subsurface_flight": "{}", "specular_weight": {}}}}},
+               "subsurface_flight": "{}", "specular_weight": {}{}}}}},
              "objects": [{{"mesh": "{}", "material": "white", "smooth": {}}}],
              "lights": [{{"type": "environment", "radiance": 1}}]}})",
         f.camera, f.size, f.size, f.spp, f.sampling, f.radius, f.radius_scale, f.g, f.bleed, f.flight, f.specular,
-        f.mesh, f.smooth));
+        f.more, f.mesh, f.smooth));
 }
 
 void expect_exactly_white(const Furnace &furnace) {

@@ -14,6 +14,7 @@ struct Furnace {
     const char *flight = "renewal", *sampling = "hero";
     double specular = 0;
     const char *smooth = "false";
+    std::string more = {}; // of the material, with a comma before it
     int size = 40, spp = 16;
 };
 

@@ -38,7 +38,15 @@ TEST_P(Generic, SameImage) {
     scene.image = {40, 40 * scene.image.height / scene.image.width};
     scene.render.spp = 3;
     render::Options options;
-    options.layers = {.albedo = true, .normal = true, .depth = true, .variance = true, .samples = true};
+    options.layers = {.albedo = true,
+                      .normal = true,
+                      .depth = true,
+                      .variance = true,
+                      .samples = true,
+                      .zero = true,
+                      .single = true,
+                      .multiple = true,
+                      .steps = true};
     const Rendered specialised = rendered(scene, options);
     options.generic = true;
     const Rendered generic = rendered(scene, options);

@@ -17,7 +17,9 @@ class Lanes : public testing::TestWithParam<const char *> {
     Rendered with(int lanes, bool clearance) {
         scene.lanes = lanes;
         scene.render.clearance = clearance;
-        return rendered(scene);
+        render::Options options;
+        options.layers = {.zero = true, .single = true, .multiple = true, .steps = true};
+        return rendered(scene, options);
     }
     scene::Scene scene;
 };
@@ -42,7 +44,7 @@ TEST_P(Lanes, SameImageWithoutClearance) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Lanes,
                          testing::Values("skin", "bleed", "reciprocal", "channel_single", "channel_albedo",
                                          "channel_throughput", "nested_shells", "open_mesh", "texture", "depth_cap",
-                                         "emissive_mesh"),
+                                         "emissive_mesh", "internal_reflection"),
                          [](const auto &info) { return std::string(info.param); });
 
 } // namespace
