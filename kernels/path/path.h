@@ -199,15 +199,15 @@ Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global
 
 // The ray that a path waits for, and the tree it goes through: its next one, or the probe of its walk.
 Ray next_ray(const Scene *scene, const Path *path) {
-    return GUIDED && path->state == PATH_PROBE ? guide_probe(path) : path_ray(path->position.xyz, path->direction.xyz);
+    return GUIDED && path->state == PATH_THICKNESS ? guide_probe(path) : path_ray(path->position.xyz, path->direction.xyz);
 }
 
 uint ray_root(const Scene *scene, const Path *path) {
-    return GUIDED && path->state == PATH_PROBE ? scene->objects[path->object].walk_root : scene->frame->bvh_root;
+    return GUIDED && path->state == PATH_THICKNESS ? scene->objects[path->object].walk_root : scene->frame->bvh_root;
 }
 
 Shadow next_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
-    if (!GUIDED || path->state != PATH_PROBE) return path_meet(scene, path, hit, counts, layers);
+    if (!GUIDED || path->state != PATH_THICKNESS) return path_meet(scene, path, hit, counts, layers);
     counts->value[COUNTER_probe_rays] += 1u;
     path_probed(path, hit);
     return no_shadow();

@@ -14,7 +14,7 @@ void path_below(const Scene *scene, Path *path, float3 position, float3 outward)
     path->state = PATH_WALK;
     if (!GUIDED) return;
     guide_begin(scene, path, position, outward);
-    path->state = PATH_PROBE;
+    path->state = PATH_THICKNESS;
 }
 
 // Sends the path into the medium below `surface`, on the inner side of its geometric normal. Where a ray met the back of an

@@ -50,7 +50,7 @@ void worker_ask_light(const Scene *scene, Worker *worker, uint at, const Shadow 
 // Puts a path where its state says.
 void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint at, Counts *counts) {
     const uint state = worker->pool[at].state;
-    if (state == PATH_RAY || state == PATH_PROBE) {
+    if (state == PATH_RAY || state == PATH_THICKNESS) {
         worker->rays[worker->ray_count++] = (ushort)at;
     } else if (state == PATH_WALK) {
         worker->walks[worker->walk_count++] = (ushort)at;

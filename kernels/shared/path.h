@@ -6,7 +6,7 @@
 
 SHARED_BEGIN
 
-enum PathState { PATH_RAY, PATH_PROBE, PATH_WALK, PATH_DONE }; // probe: about to walk, once its thickness is known
+enum PathState { PATH_RAY, PATH_THICKNESS, PATH_WALK, PATH_DONE }; // probe: about to walk, once its thickness is known
 
 struct Path {
     float4 position;   // start of the next ray or flight
