@@ -41,6 +41,9 @@ void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts,
                                           scene->frame->bvh_root PROFILED(, counts->profile + PROFILE_ray_nodes));
             shadow = path_meet(scene, path, hit, counts, layers);
             budget -= min(budget, PATH_RAY_COST);
+        } else if (HAS(DIFFUSION_MODEL) && path->state == PATH_PROBE) {
+            shadow = diffusion_leave(scene, path, counts);
+            budget -= min(budget, PATH_RAY_COST);
         } else {
             shadow = single_walk(scene, path, &budget, counts);
         }

@@ -21,7 +21,8 @@
     X(DELTA_LIGHT)       /* point or directional lights */                                                             \
     X(LENS)              /* camera aperture > 0 */                                                                     \
     X(SURFACE_AOV)       /* layers albedo, N, depth */                                                                  \
-    X(CLEARANCE)         /* an object has a clearance field */
+    X(CLEARANCE)         /* an object has a clearance field */                                                         \
+    X(DIFFUSION_MODEL)   /* a material with a subsurface_model other than random_walk */
 
 SHARED_BEGIN
 

@@ -6,7 +6,7 @@
 
 SHARED_BEGIN
 
-enum PathState { PATH_RAY, PATH_WALK, PATH_DONE };
+enum PathState { PATH_RAY, PATH_WALK, PATH_DONE, PATH_PROBE }; // PATH_PROBE: below a surface with a diffusion model
 
 struct Path {
     float4 position;   // start of the next ray or flight

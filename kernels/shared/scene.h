@@ -36,6 +36,7 @@ enum FlightLaw { FLIGHT_RENEWAL, FLIGHT_RECIPROCAL };
 enum ChannelSampling { CHANNEL_SINGLE, CHANNEL_ALBEDO, CHANNEL_THROUGHPUT, CHANNEL_HERO };
 enum Inversion { INVERSION_VAN_DE_HULST, INVERSION_NONE };
 enum Entry { ENTRY_LAMBERT, ENTRY_UNIFORM };
+enum SubsurfaceModel { MODEL_RANDOM_WALK, MODEL_DIPOLE, MODEL_BETTER_DIPOLE, MODEL_BURLEY };
 enum LightKind { LIGHT_ENVIRONMENT, LIGHT_ENVIRONMENT_IMAGE, LIGHT_RECT, LIGHT_TRIANGLE, LIGHT_POINT, LIGHT_DIRECTIONAL };
 enum CameraKind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
 
@@ -67,7 +68,7 @@ struct Material {
     int entry;                     // Entry
     uint max_depth;                // scatters a walk may have, 0: no cap
     float radius_scale;            // of a texture of radii, to the kernels' units (value[] has it already)
-    float pad;
+    int model;                     // SubsurfaceModel; flight, entry, max_depth and bleed are the random walk's alone
 };
 
 // RGBA or one channel, half floats, linear, row 0 at v = 1 (the top of the picture).

@@ -55,6 +55,7 @@ Material to_device(const scene::Material &source, const scene::Frame &frame) {
     material.inversion = source.inversion;
     material.entry = source.entry;
     material.max_depth = source.max_depth;
+    material.model = source.model;
     return material;
 }
 

@@ -19,7 +19,10 @@ std::uint32_t material_features(const Material &material) {
     const bool metal = used(material, PARAMETER_base_metalness, 0);
     if (subsurface) {
         mask |= FEATURE_SUBSURFACE;
-        if (used(material, PARAMETER_subsurface_bleed, 0)) mask |= FEATURE_BLEED;
+        if (material.model != MODEL_RANDOM_WALK)
+            mask |= FEATURE_DIFFUSION_MODEL;
+        else if (used(material, PARAMETER_subsurface_bleed, 0))
+            mask |= FEATURE_BLEED;
         if (used(material, PARAMETER_subsurface_scatter_anisotropy, 0)) mask |= FEATURE_ANISOTROPY;
     }
     if (used(material, PARAMETER_subsurface_weight, 1)) mask |= FEATURE_DIFFUSE;
