@@ -11,7 +11,7 @@
 //     single     albedo c1(g), c1 = (2/3)(1 - ln 2) = .2046 at g = 0, the exact single scattering
 //     multiple   the dipole's total, up to 1 at albedo 1
 // The colour asked for is single + multiple; dipole_depth finds the albedo for it. At albedo 1 the sum would be 1 + c1(g): both
-// formulas overshoot (diffusion counts light twice), so white is reached at a lower albedo (isotropic: .990 and .988).
+// formulas overshoot (diffusion counts light twice), so white is reached at a lower albedo (.9939 and .9943 at g = 0).
 // Hery 2012, "Texture Mapping for the Better Dipole Model", inverts the multiple lobe alone.
 #ifndef NACRE_DIFFUSION_DIPOLE_H
 #define NACRE_DIFFUSION_DIPOLE_H
