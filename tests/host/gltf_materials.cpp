@@ -136,12 +136,13 @@ TEST_F(GltfMaterials, TransmissionAloneIsNamed) {
 
 TEST_F(GltfMaterials, ExtrasOfNacreWin) {
     const scene::Scene s = load_material(R"({"pbrMetallicRoughness": {"roughnessFactor": 0.5},
-        "extras": {"nacre": {"subsurface_weight": 1, "subsurface_bleed": 0.5, "subsurface_flight": "reciprocal"}}})");
+        "extras": {"nacre": {"subsurface_weight": 1, "subsurface_bleed": 0.5, "subsurface_flight": "reciprocal", "subsurface_model": "dipole"}}})");
     const scene::Material &m = s.materials.at(0);
     EXPECT_EQ(m[PARAMETER_subsurface_weight].value.x(), 1);
     EXPECT_EQ(m[PARAMETER_subsurface_bleed].value.x(), 0.5);
     EXPECT_EQ(m[PARAMETER_specular_roughness].value.x(), 0.5);
     EXPECT_EQ(m.flight, FLIGHT_RECIPROCAL);
+    EXPECT_EQ(m.model, MODEL_DIPOLE);
 }
 
 TEST_F(GltfMaterials, BadOnesAreErrors) {
