@@ -74,6 +74,39 @@ TEST(Diffusion, BallReturnsWhatItsProfileHolds) {
     }
 }
 
+// A shell inside the body is passed, as walks pass it, and a hole on the other side is none for what the camera sees.
+TEST(Diffusion, InnerShellsAndHoles) {
+    for (const char *model : models) {
+        const scene::Scene plain =
+            body(R"("sphere": {"segments": 64}, "smooth": false)",
+                 fmt::format(R"("subsurface_weight": 1, "subsurface_model": "{}", "subsurface_color": [0.9, 0.5, 0.2],
+                                "subsurface_radius": 0.2)",
+                             model),
+                 1.4);
+        scene::Scene shells = plain, hole = plain;
+        scene::Mesh &mesh = shells.objects[0].mesh;
+        const scene::Mesh inner = scene::make_sphere({0, 0, 0.1}, 0.8, 64);
+        const auto first = std::uint32_t(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), inner.positions.begin(), inner.positions.end());
+        for (const auto &[a, b, c] : inner.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+        mesh.normals.clear();
+        mesh.uvs.clear();
+        std::erase_if(hole.objects[0].mesh.triangles, [&, done = false](const auto &corner) mutable {
+            const bool behind = !done && hole.objects[0].mesh.positions[corner[0]].z() < -.99;
+            done = done || behind;
+            return behind;
+        });
+        ASSERT_EQ(hole.objects[0].mesh.triangles.size() + 1, plain.objects[0].mesh.triangles.size());
+        const auto wanted = rendered_to(plain, {3e-3, 3e-3, 2e-3});
+        for (const scene::Scene *scene : {&shells, &hole}) {
+            const auto found = rendered_to(*scene, {3e-3, 3e-3, 2e-3});
+            for (std::size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(found[c].value, wanted[c].value, 4 * std::hypot(found[c].error, wanted[c].error) + 5e-4)
+                    << model << (scene == &shells ? ", shells" : ", hole") << ", channel " << c;
+        }
+    }
+}
+
 // Nothing is NaN or brighter than it may be: black and white, nearly clear and nearly opaque; g at its ends.
 TEST(Diffusion, Extremes) {
     for (const char *model : models)
