@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace nacre {
 namespace {
@@ -16,7 +17,7 @@ constexpr const char *models[] = {"dipole", "better_dipole", "burley"};
 scene::Scene body(const std::string &object, const std::string &material, double camera, int size = 64, int spp = 64) {
     return scene_of(fmt::format(
         R"({{"camera": {{"type": "orthographic", "position": [0, 0, 3], "target": [0, 0, 0], "height": {}}},
-             "image": {{"width": {}, "height": {}}}, "render": {{"spp": {}, "max_depth": 0}},
+             "image": {{"width": {}, "height": {}}}, "render": {{"spp": {}}},
              "materials": {{"medium": {{"specular_weight": 0, {}}}}},
              "objects": [{{{}, "material": "medium"}}],
              "lights": [{{"type": "environment", "radiance": 1}}]}})",
@@ -40,6 +41,19 @@ TEST(Diffusion, FlatPatchShowsTheColor) {
                 EXPECT_NEAR(found[c].value, color[c], 4 * found[c].error + 2e-4)
                     << model << ", g " << g << ", channel " << c << ", standard error " << found[c].error;
         }
+}
+
+// Where a mean free path is less than positions round, distances along the probe's line mean nothing, and yet the
+// channels' shares are right. (Straight flights have no such luck, nor have walks.)
+TEST(Diffusion, FlatPatchDenserThanRounding) {
+    const std::array<double, 3> color = {.9, .5, .2};
+    const auto found = rendered_to(body(R"("box": {"min": [-1, -1, -1], "max": [1, 1, 1]})",
+                                        R"("subsurface_weight": 1, "subsurface_model": "burley",
+                                           "subsurface_color": [0.9, 0.5, 0.2], "subsurface_radius": 2e-7,
+                                           "subsurface_radius_scale": [1, 0.2, 0.1])",
+                                        0.1),
+                                   {4e-3, 3e-3, 1.5e-3});
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c].value, color[c], 4 * found[c].error) << "channel " << c;
 }
 
 // Within the distance d of one of its points a ball has the area pi d^2, as a plane has: so the multiple lobe returns
@@ -71,6 +85,34 @@ TEST(Diffusion, BallReturnsWhatItsProfileHolds) {
             EXPECT_NEAR(found.value, exact, 4 * std::hypot(found.error, walks.by_scatters[1].error) + 1e-3)
                 << model << ", optical radius " << tau << ", standard error " << found.error;
         }
+    }
+}
+
+// Light that comes from one side tells where the path leaves: of a ball lit along its axis, the pole of the lit side
+// and that of the other, where what arrives at the distance d has the cosine 1 - d^2 / 2.
+TEST(Diffusion, PolesOfABallLitFromOneSide) {
+    constexpr double color = .9, tau = 2;
+    const test::ExactProfile profile{shared::MODEL_BURLEY, 0, color};
+    for (const double side : {-1., 1.}) { // direction of the light; the camera looks along -1
+        scene::Scene scene = body(R"("sphere": {"segments": 256}, "smooth": true)",
+                                  fmt::format(R"("subsurface_weight": 1, "subsurface_model": "burley",
+                                                 "subsurface_color": {}, "subsurface_radius": {},
+                                                 "subsurface_radius_scale": 1)",
+                                              color, 1 / tau),
+                                  0.05);
+        scene.lights[0].kind = shared::LIGHT_DIRECTIONAL;
+        scene.lights[0].radiance.setConstant(std::numbers::pi);
+        scene.lights[0].direction = {0, 0, side};
+        double exact = 0;
+        constexpr int n = 20000;
+        for (int i = 0; i < n; ++i) {
+            const double d = 2 * (i + .5) / n, cosine = -side * (1 - d * d / 2);
+            if (cosine > 0)
+                exact += profile.reflectance(d * tau) * tau * tau * cosine * 2 * std::numbers::pi * d * 2 / n;
+        }
+        const double largest_error = .005 * exact;
+        const Mean found = rendered_to(scene, {largest_error, largest_error, largest_error})[0];
+        EXPECT_NEAR(found.value, exact, 4 * found.error + 2e-3 * exact) << (side < 0 ? "lit" : "dark") << " side";
     }
 }
 
