@@ -53,8 +53,8 @@ bool probe_surface(const Scene *scene, const Path *path, Sampler sampler, const 
     int depth = 0;
     for (uint i = 0u;; ++i) {
         counts->value[COUNTER_walk_rays] += 1u;
-        const Hit hit =
-            trace_closest(ray, scene->nodes, scene->blocks, object->walk_root PROFILED(, counts->profile + PROFILE_walk_nodes));
+        const Hit hit = trace_closest(ray, scene->nodes, scene->blocks,
+                                      object->walk_root PROFILED(, counts->profile + PROFILE_walk_nodes));
         if (hit.block == BVH_NO_PRIMITIVE) return crossing->all != 0.0f;
         ray.t_min = hit.t;
         const Surface surface = surface_at(scene, ray, hit);
@@ -77,7 +77,8 @@ bool probe_surface(const Scene *scene, const Path *path, Sampler sampler, const 
 }
 
 // Multiple scattering, times `scale`.
-Shadow probe_leave(const Scene *scene, Path *path, int model, Sampler sampler, float xi_channel, float scale, Counts *counts) {
+Shadow probe_leave(const Scene *scene, Path *path, int model, Sampler sampler, float xi_channel, float scale,
+                   Counts *counts) {
     const float3 light = path->throughput.xyz * path->share.xyz;
     const float g = path->anisotropy;
     ProbeProfiles profiles;
@@ -107,7 +108,8 @@ Shadow diffusion_leave(const Scene *scene, Path *path, Counts *counts) {
     const int model = scene->materials[scene->objects[path->object].material].model;
     const float chance = straight_chance(model, path->weight.xyz, path->share.xyz);
     const float xi = draw_pair(sampler, DRAW_FIRST).x;
-    if (xi < chance) return straight_walk(scene, path, sampler, min((uint)(3.0f * xi / chance), 2u), 1.0f / chance, counts);
+    if (xi < chance)
+        return straight_walk(scene, path, sampler, min((uint)(3.0f * xi / chance), 2u), 1.0f / chance, counts);
     return probe_leave(scene, path, model, sampler, (xi - chance) / (1.0f - chance), 1.0f / (1.0f - chance), counts);
 }
 

@@ -31,7 +31,8 @@ float3 phase_scalar(const Scene *scene, float g, uint4 words, float3 direction) 
 Shadow straight_walk(const Scene *scene, Path *path, Sampler sampler, uint channel, float scale, Counts *counts) {
     const float3 sigma = path->sigma.xyz;
     const float beyond = turn_beyond(scene);
-    float3 position = path->position.xyz, direction = to_world(cosine_hemisphere(draw_pair(sampler, DRAW_ENTRY)), path->direction.xyz);
+    float3 position = path->position.xyz;
+    float3 direction = to_world(cosine_hemisphere(draw_pair(sampler, DRAW_ENTRY)), path->direction.xyz);
     float distance = -log_scalar(draw_pair(sampler, DRAW_FIRST).y) /
                      (channel == 0u ? sigma.x : channel == 1u ? sigma.y : sigma.z);
     float3 weight = (float3)(scale);
