@@ -16,6 +16,15 @@ typedef struct {
     float t_min, t_max;
 } Ray;
 
+Ray path_ray(float3 position, float3 direction) {
+    Ray ray;
+    ray.origin = position;
+    ray.direction = direction;
+    ray.t_min = 0.0f;
+    ray.t_max = MAXFLOAT;
+    return ray;
+}
+
 // The triangle lies in `slot` of leaf block `block`. A miss has primitive = BVH_NO_PRIMITIVE and t = the ray's t_max.
 typedef struct {
     float t;

@@ -77,6 +77,22 @@ real lane_expm1(real x) {
     return pick(x < EXP_OVERFLOW, pick(x > -17.5f, half_y + half_y, (real)(-1.0f)), x + INFINITY);
 }
 
+// One number through the same operations, where a path is alone: the same to the bit for any LANES.
+float exp_scalar(float x) {
+    const real y = lane_exp((real)(x));
+    return LANE_FLOAT(y, 0u);
+}
+
+float expm1_scalar(float x) {
+    const real y = lane_expm1((real)(x));
+    return LANE_FLOAT(y, 0u);
+}
+
+float log_scalar(float x) {
+    const real y = lane_log((real)(x));
+    return LANE_FLOAT(y, 0u);
+}
+
 // sin and cos of 2 pi u for u in [0, 1]. Argument reduction is exact in turns, the number of quarters rounded as in
 // exp_reduced; polynomials on [-pi/4, pi/4] from Moshier's Cephes (sinf, cosf): within 2 ulp. In place of sincos(), which
 // takes a pointer. Once over scalars, for surfaces, and once over lanes where those are vectors.

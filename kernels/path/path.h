@@ -3,7 +3,7 @@
 #define NACRE_PATH_PATH_H
 
 #include "camera/camera.h"
-#include "path/walk.h"
+#include "diffusion/diffusion.h"
 
 // Paths past this many surface hits play Russian roulette with their largest throughput.
 #ifndef PATH_ROULETTE_START
@@ -114,7 +114,10 @@ Shadow path_scatter(const Scene *scene, Path *path, global const Material *mater
         const float subsurface =
             HAS(SUBSURFACE) ? material_number(scene, material, PARAMETER_subsurface_weight, surface->uv) : 0.0f;
         if (HAS(SUBSURFACE) && lobe.y < subsurface) {
-            path_enter(scene, path, sampler, surface, counts);
+            if (HAS(DIFFUSION_MODEL) && material->model != MODEL_RANDOM_WALK)
+                diffusion_enter(scene, path, material, surface, counts);
+            else
+                path_enter(scene, path, sampler, surface, counts);
         } else {
             path->throughput.xyz *= material_color(scene, material, PARAMETER_base_color, surface->uv);
             path->direction.xyz = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), surface->shading, surface->geometric);
@@ -148,15 +151,6 @@ void path_roulette(const Scene *scene, Path *path, Counts *counts) {
         return;
     }
     path->throughput.xyz *= 1.0f / heaviest;
-}
-
-Ray path_ray(float3 position, float3 direction) {
-    Ray ray;
-    ray.origin = position;
-    ray.direction = direction;
-    ray.t_min = 0.0f;
-    ray.t_max = MAXFLOAT;
-    return ray;
 }
 
 // What the path's ray met: adds the light it found and goes on from there. Returns the direct light of the surface that is yet

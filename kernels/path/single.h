@@ -35,10 +35,13 @@ Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts,
 void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts, global float4 *layers) {
     while (path->state != PATH_DONE && budget > 0u) {
         Shadow shadow;
-        if (path->state != PATH_WALK) {
+        if (path->state == PATH_RAY || path->state == PATH_THICKNESS) {
             const Hit hit = trace_closest(next_ray(scene, path), scene->nodes, scene->blocks,
                                           ray_root(scene, path) PROFILED(, counts->profile + PROFILE_ray_nodes));
             shadow = next_meet(scene, path, hit, counts, layers);
+            budget -= min(budget, PATH_RAY_COST);
+        } else if (HAS(DIFFUSION_MODEL) && path->state == PATH_PROBE) {
+            shadow = diffusion_leave(scene, path, counts);
             budget -= min(budget, PATH_RAY_COST);
         } else {
             shadow = single_walk(scene, path, &budget, counts, layers);

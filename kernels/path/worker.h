@@ -16,6 +16,8 @@ typedef struct {
     global Path *pool;
     ushort vacant[POOL_PATHS], rays[POOL_PATHS], walks[POOL_PATHS]; // places in the pool: free, with a ray to trace, about to walk
     uint vacant_count, ray_count, walk_count;
+    ushort probes[POOL_PATHS]; // places of paths below a surface with a diffusion model
+    uint probe_count;
     uint next, end;            // paths of the launch that it took and has not begun
     bool exhausted;            // the launch has no more
     uint turns;                // of its lanes since then
@@ -54,6 +56,8 @@ void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint 
         worker->rays[worker->ray_count++] = (ushort)at;
     } else if (state == PATH_WALK) {
         worker->walks[worker->walk_count++] = (ushort)at;
+    } else if (HAS(DIFFUSION_MODEL) && state == PATH_PROBE) {
+        worker->probes[worker->probe_count++] = (ushort)at;
     } else {
         const Path path = worker->pool[at];
         launch_take(scene, launch, &path, counts);
@@ -104,6 +108,21 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
         worker_light(scene, worker, counts);
         for (uint i = 0; i < part; i++) worker_file(scene, worker, launch, worker->rays[first + i], counts);
     }
+}
+
+// Takes paths that are below a diffusion model's surface out of it, one by one.
+void worker_probe(const Scene *scene, Worker *worker, const Launch *launch, Counts *counts) {
+    const uint count = worker->probe_count;
+    worker->probe_count = 0u;
+    for (uint i = 0; i < count; i++) {
+        const uint at = worker->probes[i];
+        Path path = worker->pool[at];
+        const Shadow shadow = diffusion_leave(scene, &path, counts);
+        worker->pool[at] = path;
+        worker_ask_light(scene, worker, at, &shadow, counts);
+    }
+    worker_light(scene, worker, counts);
+    for (uint i = 0; i < count; i++) worker_file(scene, worker, launch, worker->probes[i], counts);
 }
 
 // Puts walks that wait into idle lanes.
@@ -161,7 +180,7 @@ void worker_suspend(Worker *worker, const Launch *launch) {
 void trace_many(const Scene *scene, const Launch *launch, global Path *pool, Counts *counts) {
     Worker worker;
     worker.pool = pool;
-    worker.ray_count = worker.walk_count = worker.shadow_count = 0u;
+    worker.ray_count = worker.walk_count = worker.probe_count = worker.shadow_count = 0u;
     worker.next = worker.end = worker.turns = worker.walking = 0u;
     worker.exhausted = false;
     worker.vacant_count = POOL_PATHS;
@@ -173,6 +192,7 @@ void trace_many(const Scene *scene, const Launch *launch, global Path *pool, Cou
         worker_begin(scene, &worker, launch, counts);
         if (worker.ray_count + worker.walk_count + worker.walking == 0u) return;
         worker_trace(scene, &worker, launch, counts);
+        if (HAS(DIFFUSION_MODEL)) worker_probe(scene, &worker, launch, counts);
         worker_walk(scene, &worker, launch, counts);
         if (worker.turns > launch->batch.budget) break;
     }

@@ -26,7 +26,8 @@
     X(SURFACE_AOV)       /* layers albedo, N, depth */                                                                  \
     X(CLEARANCE)         /* an object has a clearance field */                                                         \
     X(SCATTER_AOV)       /* layers of scattering orders, walk.steps */                                                 \
-    X(INTERFACE)         /* refracted entry, or reflection inside, somewhere */
+    X(INTERFACE)         /* refracted entry, or reflection inside, somewhere */                                              \
+    X(DIFFUSION_MODEL)   /* a material with a subsurface_model other than random_walk */
 
 SHARED_BEGIN
 

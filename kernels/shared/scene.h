@@ -36,6 +36,7 @@ enum FlightLaw { FLIGHT_RENEWAL, FLIGHT_RECIPROCAL };
 enum ChannelSampling { CHANNEL_SINGLE, CHANNEL_ALBEDO, CHANNEL_THROUGHPUT, CHANNEL_HERO };
 enum Inversion { INVERSION_VAN_DE_HULST, INVERSION_NONE };
 enum Entry { ENTRY_LAMBERT, ENTRY_UNIFORM, ENTRY_REFRACTED };
+enum SubsurfaceModel { MODEL_RANDOM_WALK, MODEL_DIPOLE, MODEL_BETTER_DIPOLE, MODEL_BURLEY };
 enum LightKind { LIGHT_ENVIRONMENT, LIGHT_ENVIRONMENT_IMAGE, LIGHT_RECT, LIGHT_TRIANGLE, LIGHT_POINT, LIGHT_DIRECTIONAL };
 enum CameraKind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
 
@@ -70,6 +71,8 @@ struct Material {
     uint guide_first[3];           // its first GuideMode, per channel
     uint guide_anisotropies;       // 1: made for its anisotropy; else for any, see shared/guide.h
     int internal_reflection;       // walks may be turned back at the surface
+    int model;                     // SubsurfaceModel; flight, entry, max_depth and bleed are the random walk's alone
+    uint pad[3];
 };
 
 // RGBA or one channel, half floats, linear, row 0 at v = 1 (the top of the picture).

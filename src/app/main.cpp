@@ -11,6 +11,7 @@ constexpr const char *examples = R"(Examples:
   nacre render scenes/bear/bear.json -o bear.png
   nacre render head.glb -o head.exr --spp 256 --size 1024x1024
   nacre render scene.json -o out.exr --set materials.skin.subsurface_bleed=0.5 --aov albedo,N
+  nacre render scenes/bear/bear.json -o bear.png --set materials.gummy.subsurface_model=burley
   nacre check scene.json
   nacre profile scene.json --size 256x256
   nacre devices

@@ -39,9 +39,10 @@ constexpr Choice inversions[] = {{"van_de_hulst", shared::INVERSION_VAN_DE_HULST
                                  {"chiang", 0, false}};
 constexpr Choice entries[] = {
     {"lambert", shared::ENTRY_LAMBERT}, {"uniform", shared::ENTRY_UNIFORM}, {"refracted", shared::ENTRY_REFRACTED}};
-enum Model { random_walk };
-constexpr Choice models[] = {
-    {"random_walk", random_walk}, {"dipole", 0, false}, {"better_dipole", 0, false}, {"burley", 0, false}};
+constexpr Choice models[] = {{"random_walk", shared::MODEL_RANDOM_WALK},
+                             {"dipole", shared::MODEL_DIPOLE},
+                             {"better_dipole", shared::MODEL_BETTER_DIPOLE},
+                             {"burley", shared::MODEL_BURLEY}};
 constexpr Choice color_spaces[] = {{"srgb", static_cast<int>(ColorSpace::srgb)},
                                    {"linear", static_cast<int>(ColorSpace::linear)}};
 
@@ -113,8 +114,7 @@ void read_material(const Json &tree, const std::string &path, const Source &sour
     fields.read_choice("subsurface_inversion", inversions, material.inversion);
     fields.read_choice("subsurface_entry", entries, material.entry);
     fields.read("subsurface_internal_reflection", material.internal_reflection);
-    Model model = random_walk;
-    fields.read_choice("subsurface_model", models, model);
+    fields.read_choice("subsurface_model", models, material.model);
     fields.read("subsurface_max_depth", material.max_depth);
     read_albedo(fields, maps, material);
     fields.finish();

@@ -37,11 +37,11 @@ void append_clearance(const scene::Scene &scene, const scene::Frame &frame, std:
 } // namespace
 
 void add_clearance(const scene::Scene &scene, const scene::Frame &frame, std::uint64_t paths, Geometry &geometry) {
-    const auto scatters = [&](const scene::Object &object) { return scatters_below(scene.materials[object.material]); };
-    auto left = std::size_t(std::count_if(scene.objects.begin(), scene.objects.end(), scatters));
+    const auto walks = [&](const scene::Object &object) { return walks_below(scene.materials[object.material]); };
+    auto left = std::size_t(std::count_if(scene.objects.begin(), scene.objects.end(), walks));
     std::size_t budget = std::size_t(std::min<std::uint64_t>(accel::clearance_budget, paths * cells_per_path));
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (!scatters(scene.objects[i])) continue;
+        if (!walks(scene.objects[i])) continue;
         Object &object = geometry.objects[i];
         const std::span<const accel::Triangle> own(geometry.world.data() + object.first_primitive,
                                                    scene.objects[i].mesh.triangles.size());

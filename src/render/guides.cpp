@@ -54,7 +54,7 @@ void add_guides(const scene::Scene &scene, std::vector<Material> &materials, std
     Tables tables(modes);
     for (std::size_t i = 0; i < materials.size(); ++i) {
         const scene::Material &source = scene.materials[i];
-        if (!scene::scatters_below(source)) continue;
+        if (!scene::walks_below(source)) continue;
         const scene::Value &g = source[PARAMETER_subsurface_scatter_anisotropy];
         Material &material = materials[i];
         material.guide_anisotropies = g.texture < 0 ? 1 : 2 * GUIDE_ANISOTROPIES + 1;

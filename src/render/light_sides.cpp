@@ -27,7 +27,7 @@ std::vector<float4> light_points(const scene::Scene &scene, const Geometry &geom
     std::mt19937 random(1);
     std::uniform_real_distribution<float> unit(0, 1);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (!scene::scatters_below(scene.materials[scene.objects[i].material])) continue;
+        if (!scene::walks_below(scene.materials[scene.objects[i].material])) continue;
         const std::span<const accel::Triangle> triangles(geometry.world.data() + geometry.objects[i].first_primitive,
                                                          scene.objects[i].mesh.triangles.size());
         std::vector<double> areas;

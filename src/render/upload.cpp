@@ -58,6 +58,7 @@ Material to_device(const scene::Material &source, const scene::Frame &frame) {
     material.entry = source.entry;
     material.max_depth = source.max_depth;
     material.internal_reflection = source.internal_reflection ? 1 : 0;
+    material.model = source.model;
     return material;
 }
 

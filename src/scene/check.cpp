@@ -29,6 +29,7 @@ class ObjectCheck {
         shells();
         triangles();
         if (scatters(material)) scattering_length();
+        if (scatters(material) && material.model != shared::MODEL_RANDOM_WALK) diffusion();
         uvs();
         return std::move(findings);
     }
@@ -93,6 +94,20 @@ class ObjectCheck {
             propose(longest, "so it looks transparent");
         else if (shortest < 1e-5 * size)
             propose(shortest, "so it is very slow and looks like paint");
+    }
+
+    void diffusion() {
+        const Value &bleed = of(material, shared::PARAMETER_subsurface_bleed);
+        if (bleed.texture >= 0 || bleed.value.x() > 0)
+            find(fmt::format("material '{}': subsurface_bleed is of the random walk alone, its subsurface_model knows "
+                             "no flights",
+                             material.name));
+        if (material.entry != shared::ENTRY_LAMBERT)
+            find(fmt::format("material '{}': subsurface_entry is of the random walk alone, its subsurface_model "
+                             "enters as lambert does",
+                             material.name));
+        if (material.max_depth > 0)
+            find(fmt::format("material '{}': subsurface_max_depth is of the random walk alone", material.name));
     }
 
     void uvs() {

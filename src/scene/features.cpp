@@ -19,7 +19,10 @@ std::uint32_t material_features(const Material &material) {
     const bool metal = used(material, PARAMETER_base_metalness, 0);
     if (subsurface) {
         mask |= FEATURE_SUBSURFACE;
-        if (used(material, PARAMETER_subsurface_bleed, 0)) mask |= FEATURE_BLEED;
+        if (material.model != MODEL_RANDOM_WALK)
+            mask |= FEATURE_DIFFUSION_MODEL;
+        else if (used(material, PARAMETER_subsurface_bleed, 0))
+            mask |= FEATURE_BLEED;
         if (used(material, PARAMETER_subsurface_scatter_anisotropy, 0)) mask |= FEATURE_ANISOTROPY;
         const Vec3 &g = material[PARAMETER_subsurface_scatter_anisotropy].value;
         if ((g.array() != g.x()).any()) mask |= FEATURE_ANISOTROPY_RGB;
@@ -61,10 +64,11 @@ std::uint32_t guide_feature(Guiding guiding) {
 std::uint32_t features(const Scene &scene, bool surface_layers, bool scatter_layers) {
     std::uint32_t mask = (surface_layers ? FEATURE_SURFACE_AOV : 0) | (scatter_layers ? FEATURE_SCATTER_AOV : 0);
     for (const Object &object : scene.objects) {
-        mask |= material_features(scene.materials[object.material]);
+        const Material &material = scene.materials[object.material];
+        mask |= material_features(material);
+        if (walks_below(material)) mask |= guide_feature(scene.render.guiding);
         if (!object.mesh.normals.empty()) mask |= FEATURE_SMOOTH;
     }
-    if (mask & FEATURE_SUBSURFACE) mask |= guide_feature(scene.render.guiding);
     for (const Light &light : scene.lights) mask |= light_feature(light.kind);
     if (scene.camera.kind == CAMERA_PERSPECTIVE && scene.camera.aperture > 0) mask |= FEATURE_LENS;
     return mask;

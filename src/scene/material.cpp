@@ -27,4 +27,8 @@ bool scatters_below(const Material &material) {
     return weight.texture >= 0 || weight.value.x() > 0;
 }
 
+bool walks_below(const Material &material) {
+    return scatters_below(material) && material.model == shared::MODEL_RANDOM_WALK;
+}
+
 } // namespace nacre::scene

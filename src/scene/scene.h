@@ -37,6 +37,7 @@ struct Material {
     shared::FlightLaw flight = shared::FLIGHT_RENEWAL;
     shared::Inversion inversion = shared::INVERSION_VAN_DE_HULST;
     shared::Entry entry = shared::ENTRY_LAMBERT;
+    shared::SubsurfaceModel model = shared::MODEL_RANDOM_WALK;
     std::uint32_t max_depth = 0;      // scatters a walk may have, 0: no cap
     bool internal_reflection = false; // walks may be turned back at the surface
 
@@ -47,6 +48,9 @@ struct Material {
 
 /// Light may go below the surface of this material somewhere.
 bool scatters_below(const Material &material);
+
+/// It does so in random walks.
+bool walks_below(const Material &material);
 
 struct Object {
     std::string name; // for messages: file or shape, and its place in the scene

@@ -119,5 +119,20 @@ TEST(Check, FindsDarkness) {
     EXPECT_TRUE(check(scene).empty());
 }
 
+TEST(Check, FindsWhatADiffusionModelDoesNotKnow) {
+    Scene scene = good_scene();
+    scene.materials[0].model = shared::MODEL_BURLEY;
+    EXPECT_TRUE(check(scene).empty());
+    const Scene good = scene;
+    scene.materials[0][shared::PARAMETER_subsurface_bleed].value.setConstant(.5);
+    expect_finding(scene, "ball", "material 'skin': subsurface_bleed is of the random walk alone");
+    scene = good;
+    scene.materials[0].entry = shared::ENTRY_UNIFORM;
+    expect_finding(scene, "ball", "subsurface_entry is of the random walk alone");
+    scene = good;
+    scene.materials[0].max_depth = 256;
+    expect_finding(scene, "ball", "subsurface_max_depth is of the random walk alone");
+}
+
 } // namespace
 } // namespace nacre::scene

@@ -137,7 +137,7 @@ TEST_F(GltfMaterials, TransmissionAloneIsNamed) {
 TEST_F(GltfMaterials, ExtrasOfNacreWin) {
     const scene::Scene s = load_material(R"({"pbrMetallicRoughness": {"roughnessFactor": 0.5},
         "extras": {"nacre": {"subsurface_weight": 1, "subsurface_bleed": 0.5, "subsurface_flight": "reciprocal",
-        "subsurface_entry": "refracted", "subsurface_internal_reflection": true}}})");
+        "subsurface_entry": "refracted", "subsurface_internal_reflection": true, "subsurface_model": "dipole"}}})");
     const scene::Material &m = s.materials.at(0);
     EXPECT_EQ(m[PARAMETER_subsurface_weight].value.x(), 1);
     EXPECT_EQ(m[PARAMETER_subsurface_bleed].value.x(), 0.5);
@@ -145,6 +145,7 @@ TEST_F(GltfMaterials, ExtrasOfNacreWin) {
     EXPECT_EQ(m.flight, FLIGHT_RECIPROCAL);
     EXPECT_EQ(m.entry, ENTRY_REFRACTED);
     EXPECT_TRUE(m.internal_reflection);
+    EXPECT_EQ(m.model, MODEL_DIPOLE);
 }
 
 TEST_F(GltfMaterials, BadOnesAreErrors) {

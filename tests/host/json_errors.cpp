@@ -118,6 +118,9 @@ TEST_F(JsonErrors, Ranges) {
         {section(R"("camera": {"position": [0,0,1], "target": [0,0,1]})"), {"camera.target: is where the camera is"}},
         {section(R"("camera": {"position": [0,5,0], "target": [0,0,0]})"), {"camera.up: is along"}},
         {section(R"("camera": {"up": [0,0,0]})"), {"camera.up: is along"}},
+        {material(R"("subsurface_model": "burly")"),
+         {"subsurface_model: unknown value 'burly', did you mean 'burley'?"}},
+        {material(R"("subsurface_model": "bssrdf")"), {"random_walk", "dipole", "better_dipole", "burley"}},
         {section(R"("image": {"width": 0})"), {"image.width: 0 is out of range"}},
         {section(R"("image": {"height": 65537})"), {"image.height: 65537 is out of range"}},
         {section(R"("render": {"spp": 0})"), {"render.spp: 0 is out of range"}},
@@ -139,7 +142,6 @@ TEST_F(JsonErrors, Ranges) {
 TEST_F(JsonErrors, NotBuiltYet) {
     const Case cases[] = {
         {section(R"("render": {"guiding": "eigne"})"), {"unknown value 'eigne', did you mean 'eigen'?"}},
-        {material(R"("subsurface_model": "burley")"), {"'burley' is not built yet, use random_walk"}},
         {material(R"("subsurface_inversion": "table")"), {"'table' is not built yet, use van_de_hulst or none"}},
     };
     for (const auto &[json, fragments] : cases) expect_error(json, fragments);

@@ -23,7 +23,7 @@ TEST_F(JsonScene, EveryFieldIsRead) {
         "subsurface_weight": 0.11, "subsurface_color": {"texture": "red.ppm", "scale": [2, 3], "offset": [4, 5]},
         "subsurface_radius": 0.12, "subsurface_radius_scale": [0.13, 0.14, 0.15],
         "subsurface_scatter_anisotropy": -0.16, "subsurface_bleed": 0.17, "subsurface_flight": "reciprocal",
-        "subsurface_model": "random_walk", "subsurface_inversion": "none", "subsurface_entry": "refracted",
+        "subsurface_model": "better_dipole", "subsurface_inversion": "none", "subsurface_entry": "refracted",
         "subsurface_internal_reflection": true, "subsurface_max_depth": 256, "geometry_normal": {"texture": "red.ppm"}}},
       "objects": [{"box": {"min": [0,0,0], "max": [1,2,3]}, "material": "wax"}],
       "lights": [{"type": "environment", "radiance": [1,2,3], "visible": false},
@@ -66,6 +66,7 @@ TEST_F(JsonScene, EveryFieldIsRead) {
     EXPECT_EQ(value(PARAMETER_subsurface_scatter_anisotropy), Vec3::Constant(-0.16));
     EXPECT_EQ(value(PARAMETER_subsurface_bleed), Vec3::Constant(0.17));
     EXPECT_EQ(m.flight, FLIGHT_RECIPROCAL);
+    EXPECT_EQ(m.model, MODEL_BETTER_DIPOLE);
     EXPECT_EQ(m.inversion, INVERSION_NONE);
     EXPECT_EQ(m.entry, ENTRY_REFRACTED);
     EXPECT_TRUE(m.internal_reflection);
@@ -114,6 +115,7 @@ TEST_F(JsonScene, DefaultsAreOpenPbrs) {
     EXPECT_EQ(value(PARAMETER_subsurface_radius_scale), Vec3(1, 0.5, 0.25));
     EXPECT_EQ(value(PARAMETER_subsurface_bleed), Vec3::Constant(0));
     EXPECT_EQ(s.materials[0].flight, FLIGHT_RENEWAL);
+    EXPECT_EQ(s.materials[0].model, MODEL_RANDOM_WALK);
     EXPECT_EQ(s.materials[0].inversion, INVERSION_VAN_DE_HULST);
     EXPECT_EQ(s.render.spp, 64u);
     EXPECT_EQ(s.render.channel_sampling, CHANNEL_HERO);

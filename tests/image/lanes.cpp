@@ -40,11 +40,11 @@ TEST_P(Lanes, SameImageWithoutClearance) {
     EXPECT_EQ(on.statistics[shared::COUNTER_steps], off.statistics[shared::COUNTER_steps]);
 }
 
-// Flight laws, channel samplings, several shells and objects, holes, textures, a cap.
+// Flight laws, channel samplings, several shells and objects, holes, textures, a cap, diffusion models beside walks.
 INSTANTIATE_TEST_SUITE_P(Scenes, Lanes,
                          testing::Values("skin", "bleed", "reciprocal", "channel_single", "channel_albedo",
                                          "channel_throughput", "nested_shells", "open_mesh", "texture", "depth_cap",
-                                         "emissive_mesh", "internal_reflection"),
+                                         "emissive_mesh", "internal_reflection", "subsurface_models"),
                          [](const auto &info) { return std::string(info.param); });
 
 } // namespace

@@ -10,6 +10,7 @@ std::vector<SmallScene> small_scenes() {
         {"reciprocal", {{"render.channel_sampling", "throughput"}}},
         {"depth_cap"},
         {"nested_shells"},
+        {"dipole"},
         {"texture"},
         {"normal_map"},
         {"metal"},
