@@ -131,12 +131,10 @@ Run add_sheet(CLI::App &program) {
         ->type_name("DIR|FILE.png");
     command->add_flag("--quiet", options->quiet, "No progress, no remarks");
     command->footer(
-        "Captions say what differs from the other panels, the seconds of sampling (kernels alone), the mean number of\n"
-        "samples per pixel, and the error: the relative RMS error of a pixel by the spread of its own samples, that "
-        "is\n"
-        "sqrt(mean of the variance of the means) / (mean), both over the lit pixels (those that are not black) and "
-        "the\n"
-        "three channels.\n\n"
+        "Captions say what differs from the other panels, the seconds of sampling (kernels alone), the samples per\n"
+        "pixel (their mean), and the error: the relative RMS error of a pixel, by the spread of its own samples. That\n"
+        "is sqrt(mean of the variance of the mean) / mean, over the three channels of pixels that are not black.\n"
+        "Samples are spread more evenly than chance would, so pictures are somewhat better than that.\n\n"
         "Examples:\n"
         "  nacre sheet scenes/figures/figure5.json -o figure5.png\n"
         "  nacre sheet scenes/figures/*.json -o .\n"

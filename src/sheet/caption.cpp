@@ -56,7 +56,7 @@ std::optional<double> relative_error(const io::Picture &picture) {
 std::string cost_line(const io::Picture &picture, double seconds, std::uint64_t samples) {
     const double per_pixel = double(samples) / (double(picture.width) * picture.height);
     const std::optional<double> error = relative_error(picture);
-    return fmt::format("{:.3g} s, {:.4g} samples per pixel, error {}", seconds, per_pixel,
+    return fmt::format("{:.3g} s, {:.3g} spp, error {}", seconds, per_pixel,
                        error ? fmt::format("{:.3g} %", 100 * *error) : "unknown");
 }
 

@@ -12,7 +12,7 @@ std::vector<std::string> differing_settings(const Sheet &sheet, std::size_t inde
 /// it cannot be known: no pixel is lit, or none has a second sample.
 std::optional<double> relative_error(const io::Picture &picture);
 
-/// "3.21 s, 64 samples per pixel, error 2.1 %": `seconds` of sampling, `samples` of all pixels.
+/// "3.21 s, 64 spp, error 2.1 %": `seconds` of sampling, `samples` of all pixels.
 std::string cost_line(const io::Picture &picture, double seconds, std::uint64_t samples);
 
 } // namespace nacre::sheet
