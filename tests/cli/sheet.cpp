@@ -154,17 +154,32 @@ TEST_F(Sheet, FallbackIsUsedAndSaidWhereFilesAreMissing) {
 
 TEST_F(Sheet, FolderTakesOnePictureForEachSheet) {
     sheet(R"({"label": "one"})");
-    std::filesystem::copy_file(folder / "in/sheet.json", folder / "in/second.json");
+    put(folder / "in/second.json", R"({"title": "Another", "scene": "ball.json", "panels": [{"label": "one"}]})");
     std::filesystem::create_directory(folder / "out");
     std::vector<std::string> arguments{
         "sheet",  path("in/sheet.json"), path("in/second.json"), "-o", path("out"), "--size", "16x16", "--spp", "1",
         "--quiet"};
     ASSERT_EQ(run(arguments).code, 0);
-    EXPECT_EQ(picture("out/sheet.png").width, picture("out/second.png").width);
+    EXPECT_EQ(picture("out/sheet.png").metadata.at("nacre:title"), "A sheet");
+    EXPECT_EQ(picture("out/second.png").metadata.at("nacre:title"), "Another");
     arguments[4] = path("out/one.png");
     expect_error(run(arguments), 2, "one file for 2 sheets");
     arguments[4] = path("none");
     expect_error(run(arguments), 5, "folder does not exist");
+}
+
+// The memo's figures, on the bear. Figure 4's time is replaced by a number of samples.
+TEST_F(Sheet, FiguresRenderWithoutTheHead) {
+    std::vector<std::string> arguments{"sheet", "-o", folder.string(), "--size", "24x24", "--spp", "1"};
+    for (const char *name : {"figure2", "figure3", "figure4", "figure5"})
+        arguments.push_back(fmt::format(NACRE_SCENES "/figures/{}.json", name));
+    const Outcome outcome = run(arguments, {.environment = {{"NACRE_ASSETS", ""}}}, 300);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const auto &[name, panels] :
+         {std::pair{"figure2.png", 4}, {"figure3.png", 2}, {"figure4.png", 3}, {"figure5.png", 3}}) {
+        EXPECT_NE(caption(picture(name), panels - 1), "") << name;
+        EXPECT_EQ(caption(picture(name), panels), "") << name;
+    }
 }
 
 struct Refused {
