@@ -10,5 +10,6 @@ Run add_render(CLI::App &program);
 Run add_devices(CLI::App &program);
 Run add_check(CLI::App &program);
 Run add_profile(CLI::App &program);
+Run add_sheet(CLI::App &program);
 
 } // namespace nacre::app

@@ -14,6 +14,7 @@ constexpr const char *examples = R"(Examples:
   nacre render scenes/bear/bear.json -o bear.png --set materials.gummy.subsurface_model=burley
   nacre check scene.json
   nacre profile scene.json --size 256x256
+  nacre sheet scenes/figures/figure5.json -o figure5.png
   nacre devices
 
 Exit codes: 0 done, 1 the render failed, 2 bad command line, 3 bad scene or input file, 4 no device or device failure,
@@ -30,7 +31,8 @@ int run(int argc, char **argv) {
     program.require_subcommand(1);
     program.set_version_flag("--version", NACRE_VERSION);
     using namespace nacre::app;
-    const Run commands[] = {add_render(program), add_devices(program), add_check(program), add_profile(program)};
+    const Run commands[] = {add_render(program), add_devices(program), add_check(program), add_profile(program),
+                            add_sheet(program)};
     const std::vector<CLI::App *> known = program.get_subcommands({});
     try {
         program.parse(argc, argv);

@@ -1,27 +1,15 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "app/render_options.h"
 #include "app/stopwatch.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
 #include "io/image.h"
-#include <unistd.h>
 
 namespace nacre::app {
 namespace {
-
-/// Finds out before the work, and not after, that the picture could not be written.
-void check_output(const std::filesystem::path &file) {
-    const std::string extension = file.extension().string();
-    if (extension != ".exr" && extension != ".png")
-        throw Error(Exit::usage, file.string(), "pictures are written as .exr or .png; choose one of these endings");
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder))
-        throw Error(Exit::output, file.string(), "its folder does not exist; create it first");
-    if (access(folder.c_str(), W_OK) != 0)
-        throw Error(Exit::output, file.string(), "its folder cannot be written to; choose another place");
-}
 
 int render_scene(const RenderOptions &options) {
     Stopwatch watch(!options.trace.empty());

@@ -27,6 +27,10 @@ std::vector<std::uint32_t> numbers(const std::string &text, char separator, std:
 
 void RenderOptions::add_common_to(CLI::App &command) {
     scene.add_to(command);
+    add_settings_to(command);
+}
+
+void RenderOptions::add_settings_to(CLI::App &command) {
     command.add_option("--spp", spp, "Samples per pixel")->check(CLI::Range(1u, 0xffffffffu));
     command.add_option("--size", size, "Size of the picture in pixels")->type_name("WxH");
     command.add_option("--seed", seed, "Another seed gives other noise");

@@ -6,7 +6,7 @@
 
 namespace nacre::app {
 
-/// The command line of `nacre render`, and that part of it that `nacre profile` has too.
+/// The command line of `nacre render`, and those parts of it that other commands have too.
 struct RenderOptions {
     SceneOptions scene;
     std::string output, size, crop, device, kernels, dump_kernel, stats, trace;
@@ -17,6 +17,8 @@ struct RenderOptions {
     void add_to(CLI::App &command);
     /// What is rendered and on what: SCENE, --set, --spp, --size, --seed, --device, --kernels, --generic.
     void add_common_to(CLI::App &command);
+    /// The same without SCENE and --set.
+    void add_settings_to(CLI::App &command);
 
     /// Throws Error{Exit::device}.
     device::Device open_device() const;

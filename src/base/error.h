@@ -25,6 +25,12 @@ class Error : public std::runtime_error {
     const Exit code;
 };
 
+/// A scene names a file that is not there: its assets are elsewhere, or were never fetched.
+class MissingFile : public Error {
+  public:
+    MissingFile(const std::string &subject, const std::string &message) : Error(Exit::input, subject, message) {}
+};
+
 /// Throws `Error{Exit::input}`; `subject` is the file (or the option) at fault.
 template <typename... Args>
 [[noreturn]] void input_error(const std::string &subject, fmt::format_string<Args...> format, Args &&...args) {

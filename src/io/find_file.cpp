@@ -38,6 +38,15 @@ fs::path find_file(const fs::path &scene, const std::string &name, std::string &
     return {};
 }
 
+fs::path find_file(const Source &source, const std::string &path, const std::string &name) {
+    std::string looked;
+    const fs::path file = find_file(source.file, name, looked);
+    if (file.empty())
+        throw MissingFile(source.subject(path),
+                          fmt::format("{}: there is no file '{}', looked in {}", path, name, looked));
+    return file;
+}
+
 std::string read_file(const fs::path &file) {
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) input_error(file.string(), "is a folder, not a file");

@@ -50,7 +50,8 @@ std::uint32_t load_image(const GltfFile &file, int index, ColorSpace space, Maps
     }
     std::string looked;
     const std::filesystem::path found = find_file(file.path, percent_decoded(text), looked);
-    if (found.empty()) input_error(name, "there is no file '{}', looked in {}", percent_decoded(text), looked);
+    if (found.empty())
+        throw MissingFile(name, fmt::format("there is no file '{}', looked in {}", percent_decoded(text), looked));
     return maps.load(found, space);
 }
 

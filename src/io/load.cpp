@@ -55,10 +55,11 @@ void load_bare_mesh(Source &source, const std::vector<Override> &overrides, Read
 
 } // namespace
 
-scene::Scene load_scene(const std::filesystem::path &file, const std::vector<Override> &overrides) {
+scene::Scene load_scene(const std::filesystem::path &file, const std::vector<Override> &overrides,
+                        const std::string &from) {
     scene::Scene scene;
     scene.file = file.string();
-    Source source{file, {}};
+    Source source{file, {}, from};
     Maps maps(scene);
     Reading reading{scene, source, maps};
     const std::string extension = extension_of(file);

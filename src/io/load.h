@@ -13,7 +13,9 @@ struct Override {
 
 /// Reads any scene nacre knows: nacre JSON, glTF (.gltf, .glb), a bare mesh (.obj, .ply; default camera, light and
 /// skin). Files named by it are looked for beside it, then in the folders of NACRE_ASSETS (a ':' separated list).
-/// Throws Error{Exit::input}. `Scene::warnings` names what was read but not used.
-scene::Scene load_scene(const std::filesystem::path &file, const std::vector<Override> &overrides = {});
+/// Throws Error{Exit::input}; MissingFile, which is one, where a file that the scene names is not there. Errors of
+/// `overrides` have the subject `from`. `Scene::warnings` names what was read but not used.
+scene::Scene load_scene(const std::filesystem::path &file, const std::vector<Override> &overrides = {},
+                        const std::string &from = "--set");
 
 } // namespace nacre::io

@@ -9,8 +9,6 @@ namespace nacre::io {
 
 namespace {
 
-const std::string subject = "--set";
-
 // The first component of `path`. A key that is there wins, the longest first: names of materials may hold dots.
 std::string first_component(const Json &node, const std::string &path) {
     std::string best = path.substr(0, path.find('.'));
@@ -21,7 +19,7 @@ std::string first_component(const Json &node, const std::string &path) {
     return best;
 }
 
-Json &element(Json &array, const std::string &index, const std::string &path) {
+Json &element(Json &array, const std::string &index, const std::string &path, const std::string &subject) {
     const bool digits = !index.empty() && index.size() < 10 &&
                         std::all_of(index.begin(), index.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (!digits || std::stoul(index) >= array.size())
@@ -30,7 +28,7 @@ Json &element(Json &array, const std::string &index, const std::string &path) {
     return array[std::stoul(index)];
 }
 
-Json &member(Json &object, const std::string &name, const std::string &path, bool last) {
+Json &member(Json &object, const std::string &name, const std::string &path, bool last, const std::string &subject) {
     if (!object.contains(name) && !last && path == "materials") {
         std::vector<std::string> names;
         for (const auto &item : object.items()) names.push_back(item.key());
@@ -40,6 +38,7 @@ Json &member(Json &object, const std::string &name, const std::string &path, boo
 }
 
 void set(Json &tree, const Override &assignment, Source &source) {
+    const std::string &subject = source.overrides;
     Json *node = &tree;
     std::string done, rest = assignment.path;
     bool noted = false;
@@ -49,9 +48,9 @@ void set(Json &tree, const Override &assignment, Source &source) {
         const bool last = name.size() == rest.size();
         if (node->is_null()) *node = Json::object(); // a section the file left out
         if (node->is_array())
-            node = &element(*node, name, done);
+            node = &element(*node, name, done, subject);
         else if (node->is_object())
-            node = &member(*node, name, done, last);
+            node = &member(*node, name, done, last, subject);
         else
             input_error(subject, "{}: is {}, it has no '{}'", done, describe(*node), name);
         done = join(done, name);

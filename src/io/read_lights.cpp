@@ -23,10 +23,7 @@ void read_environment(Fields &fields, scene::Light &light) {
     light.kind = shared::LIGHT_ENVIRONMENT_IMAGE;
     fields.read_color("scale", light.radiance);
     fields.read("rotate", light.rotate);
-    std::string looked;
-    const std::filesystem::path file = find_file(fields.source().file, name, looked);
-    if (file.empty()) fields.fail("image", fmt::format("there is no file '{}', looked in {}", name, looked));
-    load_environment(file, light);
+    load_environment(find_file(fields.source(), fields.path("image"), name), light);
 }
 
 void read_rect(Fields &fields, scene::Light &light) {

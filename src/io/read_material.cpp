@@ -57,10 +57,7 @@ int read_texture(const Json &tree, const std::string &path, const Source &source
     fields.read("offset", texture.offset);
     fields.finish();
     if (name.empty()) source.fail(path, "expected a value or {\"texture\": FILE}, this object names no file");
-    std::string looked;
-    const std::filesystem::path file = find_file(source.file, name, looked);
-    if (file.empty()) fields.fail("texture", fmt::format("there is no file '{}', looked in {}", name, looked));
-    texture.image = maps.load(file, space);
+    texture.image = maps.load(find_file(source, fields.path("texture"), name), space);
     return maps.add(texture, kind == Kind::number);
 }
 

@@ -88,10 +88,9 @@ class ObjectReader {
     }
 
     void read_mesh() {
-        std::string name, looked;
+        std::string name;
         fields.read("mesh", name);
-        const std::filesystem::path file = find_file(reading.source.file, name, looked);
-        if (file.empty()) fields.fail("mesh", fmt::format("there is no file '{}', looked in {}", name, looked));
+        const std::filesystem::path file = find_file(reading.source, fields.path("mesh"), name);
         const std::string extension = extension_of(file);
         std::vector<std::string> &warnings = reading.scene.warnings;
         if (extension == ".obj")

@@ -154,6 +154,7 @@ struct Session::Impl {
                 progress.samples += std::uint64_t(inside * taken * count);
                 tracer->take_counters(statistics);
                 progress.seconds = since(began);
+                progress.sampling = statistics.sampling;
                 progress.rays = statistics.rays();
                 if (report) report(progress);
                 stopped = stop && stop->load();

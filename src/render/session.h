@@ -21,6 +21,7 @@ struct Options {
 struct Progress {
     std::uint64_t samples = 0, wanted = 0; // of all pixels
     double seconds = 0;                    // since the first launch
+    double sampling = 0;                   // of them, seconds of the kernels alone
     std::uint64_t rays = 0;
 };
 
