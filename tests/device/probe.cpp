@@ -96,12 +96,14 @@ Walks run_walks(Probe probe, std::uint32_t walks, ChannelSampling sampling, Guid
 }
 
 Walks run_walks_to(Probe probe, double largest_error, ChannelSampling sampling, Guiding guiding) {
+    constexpr double most_variance = 25; // of a walk that is no bug: a broken one would have us walk for ever
+    const double most_rounds = 16 + most_variance / (largest_error * largest_error) / (1 << 17);
     Walks sum = run_walks(probe, 1 << 17, sampling, guiding);
     for (int rounds = 1;; ++rounds) {
         double worst = 0;
         for (const auto &side : {sum.near, sum.far})
             for (const Estimate &channel : side) worst = std::max(worst, channel.error);
-        if (worst <= largest_error) return sum;
+        if (worst <= largest_error || rounds > most_rounds) return sum;
         ++probe.seed;
         const Walks more = run_walks(probe, 1 << 17, sampling, guiding);
         for (const auto side : {&Walks::near, &Walks::far})
