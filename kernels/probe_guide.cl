@@ -2,10 +2,11 @@
 #include "guide/load.h"
 #include "walk/walk.h"
 
-// Scatters of walks that came from `from`, in a slab that they entered at the origin along z. place: depth, thickness, light on the
-// far side over that on the near side, anisotropy. out: new direction; its density over the classical one.
+// Scatters of walks that came from `from`, in a slab that they entered at the origin along z. place: depth, thickness, light
+// on the far side over that on the near side, anisotropy. out: new direction; its density over the classical one.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_turn(
-    global const Frame *frame, global const GuideMode *mode, float4 from, float4 place, uint seed, uint count, global float4 *out) {
+    global const Frame *frame, global const GuideMode *mode, float4 from, float4 place, uint seed, uint count,
+    global float4 *out) {
     Scene view = {frame};
     const Scene *scene = &view;
     const uint i = get_global_id(0);
@@ -36,8 +37,9 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_turn(
     const LaneSampler sampler = {seed, i, 0u};
     const uint4 words = random_hash((uint4)(seed, i, 1u, 11u)), choice = random_hash((uint4)(seed, i, 2u, 11u));
     const DirectionNumbers numbers = {random_unit(words.y), random_unit(words.z), random_unit(choice.z)};
-    while (walk_direct(scene, &walk, &guide, random_unit(choice.y), random_unit(choice.w), numbers, sampler, 1u) != 0u) {}
-    const real density = guide.flight_x.direction;
-    out[i] = (float4)(walk.direction.x, walk.direction.y, walk.direction.z,
-                      HAS(GUIDE_EIGEN) ? density * (guide.flight_x.near + guide.flight_x.far + (1.0f - GUIDE_SHARE)) : density);
+    const real xi_technique = random_unit(choice.y), xi_length = random_unit(choice.w);
+    while (walk_direct(scene, &walk, &guide, xi_technique, xi_length, numbers, sampler, 1u) != 0u) {}
+    real density = guide.flight_x.direction; // dwivedi draws the direction apart from the length
+    if (HAS(GUIDE_EIGEN)) density *= guide.flight_x.near + guide.flight_x.far + (1.0f - GUIDE_SHARE);
+    out[i] = (float4)(walk.direction.x, walk.direction.y, walk.direction.z, density);
 }
