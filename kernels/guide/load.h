@@ -40,7 +40,7 @@ void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path)
     LANE_FLOAT(guide->outward.z, l) = path->outward.z;
     LANE_FLOAT(guide->offset, l) = path->outward.w;
     LANE_FLOAT(guide->thickness, l) = path->thickness;
-    LANE_FLOAT(guide->share, l) = guide_share(path->bleed);
+    LANE_FLOAT(guide->share, l) = scene->objects[path->object].guided ? guide_share(path->bleed) : 0.0f;
     LANE_FLOAT(guide->far_light, l) = path->far_light;
     LANE_UINT(guide->tries, l) = path->tries;
     const float4 g = path->anisotropy;

@@ -91,7 +91,8 @@ struct Object {
     uint first_light; // Light of its first triangle where the material emits, else NO_LIGHT
     uint first_primitive;
     uint closed; // every edge has two triangles: a walk can only leave through the surface
-    uint pad[3];
+    uint guided; // its walks are
+    uint pad[2];
     Clearance clearance; // for walks
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/scene.h"
+#include "render/geometry.h"
 
 namespace nacre::render {
 
@@ -7,5 +7,9 @@ namespace nacre::render {
 /// those of the scene, in its order. Nothing where the scene has no guiding.
 void add_guides(const scene::Scene &scene, std::vector<shared::Material> &materials,
                 std::vector<shared::GuideMode> &modes);
+
+/// Says of each object whether its walks are guided: those of some size against their mean free paths, whose surface is
+/// nearly flat where a walk goes, as guides have it. Returns whether there is one.
+bool choose_guided(const scene::Scene &scene, Geometry &geometry);
 
 } // namespace nacre::render

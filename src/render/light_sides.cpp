@@ -23,11 +23,11 @@ float4 to_float4(const Vec3f &v, float w) { return {v.x(), v.y(), v.z(), w}; }
 
 std::vector<float4> light_points(const scene::Scene &scene, const Geometry &geometry) {
     std::vector<float4> points;
-    if (scene.render.guiding == GUIDING_NONE || !has_sides(scene)) return points;
+    if (!has_sides(scene)) return points;
     std::mt19937 random(1);
     std::uniform_real_distribution<float> unit(0, 1);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (!scene::walks_below(scene.materials[scene.objects[i].material])) continue;
+        if (!geometry.objects[i].guided) continue;
         const std::span<const accel::Triangle> triangles(geometry.world.data() + geometry.objects[i].first_primitive,
                                                          scene.objects[i].mesh.triangles.size());
         std::vector<double> areas;

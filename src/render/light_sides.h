@@ -5,7 +5,7 @@
 
 namespace nacre::render {
 
-/// Points on the surfaces of the objects that scatter below, spread by area: for each position (w: its object) and unit
+/// Points on the surfaces of the objects with guided walks, spread by area: for each position (w: its object) and unit
 /// normal. Empty where all sides have the same light: under nothing but environments of constant radiance.
 std::vector<shared::float4> light_points(const scene::Scene &scene, const Geometry &geometry);
 

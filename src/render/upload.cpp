@@ -125,6 +125,8 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.crop_width = crop.width();
     frame.crop_height = crop.height();
     frame.seed = scene.render.seed;
+    const bool guided = choose_guided(scene, geometry);
+    if (!guided) features &= ~std::uint32_t(FEATURE_GUIDE_EIGEN | FEATURE_GUIDE_DWIVEDI);
     frame.features = features | (geometry.clearance.empty() ? 0u : std::uint32_t(FEATURE_CLEARANCE));
     frame.light_count = std::uint32_t(lights.table.size());
     frame.environment_count = lights.environment_count;
@@ -140,7 +142,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     std::vector<Material> materials;
     for (const scene::Material &material : scene.materials) materials.push_back(to_device(material, units));
     std::vector<GuideMode> modes;
-    add_guides(scene, materials, modes);
+    if (guided) add_guides(scene, materials, modes);
     std::vector<Texture> textures;
     std::vector<std::uint16_t> texels;
     if (features & FEATURE_TEXTURES) pack_textures(scene, textures, texels);
@@ -164,7 +166,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("guide", modes);
     constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
     uploader.add("light_sides", std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike));
-    out.light_points = light_points(scene, geometry);
+    if (guided) out.light_points = light_points(scene, geometry);
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();
     return out;

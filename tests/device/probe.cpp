@@ -96,17 +96,23 @@ Walks run_walks(Probe probe, std::uint32_t walks, ChannelSampling sampling, Guid
 }
 
 Walks run_walks_to(Probe probe, double largest_error, ChannelSampling sampling, Guiding guiding) {
+    constexpr double most_variance = 25; // of a walk that is no bug: a broken one would have us walk for ever
+    const double most_rounds = 16 + most_variance / (largest_error * largest_error) / (1 << 17);
     Walks sum = run_walks(probe, 1 << 17, sampling, guiding);
     for (int rounds = 1;; ++rounds) {
         double worst = 0;
-        for (const Estimate &channel : sum.near) worst = std::max(worst, channel.error);
-        if (worst <= largest_error) return sum;
+        for (const auto &side : {sum.near, sum.far})
+            for (const Estimate &channel : side) worst = std::max(worst, channel.error);
+        if (worst <= largest_error || rounds > most_rounds) return sum;
         ++probe.seed;
         const Walks more = run_walks(probe, 1 << 17, sampling, guiding);
-        for (std::size_t c = 0; c < 3; ++c) {
-            sum.near[c].mean += (more.near[c].mean - sum.near[c].mean) / (rounds + 1);
-            sum.near[c].error = std::hypot(sum.near[c].error * rounds, more.near[c].error) / (rounds + 1);
-        }
+        for (const auto side : {&Walks::near, &Walks::far})
+            for (std::size_t c = 0; c < 3; ++c) {
+                Estimate &total = (sum.*side)[c];
+                const Estimate &part = (more.*side)[c];
+                total.mean += (part.mean - total.mean) / (rounds + 1);
+                total.error = std::hypot(total.error * rounds, part.error) / (rounds + 1);
+            }
         sum.largest = std::max(sum.largest, more.largest);
     }
 }

@@ -42,7 +42,8 @@ struct Walks {
 Walks run_walks(Probe probe, std::uint32_t walks, shared::ChannelSampling sampling = shared::CHANNEL_HERO,
                 shared::Guiding guiding = shared::GUIDING_NONE);
 
-/// As many walks (in steps of 2^17, seed after seed) as `near` of every channel needs for this standard error.
+/// As many walks (in steps of 2^17, seed after seed) as `near` and `far` of every channel need for this standard error;
+/// it gives up, with a larger error, where that takes a variance of more than 25.
 Walks run_walks_to(Probe probe, double largest_error, shared::ChannelSampling sampling = shared::CHANNEL_HERO,
                    shared::Guiding guiding = shared::GUIDING_NONE);
 
