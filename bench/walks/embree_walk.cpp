@@ -23,7 +23,7 @@ using shared::Path;
 
 // As in kernels/path/walk.h, for a scene of radius 1/2.
 constexpr float beyond = 2, outside2 = 1.01f * 0.25f;
-constexpr float roulette_below = 0.1f; // WALK_ROULETTE
+constexpr float roulette_below = 0.2f; // WALK_ROULETTE
 
 // Scatters are kept this far (2 ulp of the largest coordinate) on the inner side of a surface, the last ray starts a
 // little farther on the outer side: Embree's hits round to about this.
