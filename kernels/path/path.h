@@ -202,6 +202,7 @@ uint ray_root(const Scene *scene, const Path *path) {
 
 Shadow next_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
     if (!GUIDED || path->state != PATH_THICKNESS) return path_meet(scene, path, hit, counts, layers);
+    counts->value[COUNTER_rays] += 1u;
     counts->value[COUNTER_probe_rays] += 1u;
     path_probed(path, hit);
     return no_shadow();
