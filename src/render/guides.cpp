@@ -48,18 +48,17 @@ class Tables {
     std::map<std::vector<double>, uint> tables; // anisotropies and the first mode
 };
 
-/// Size of an object, in transport mean free paths, from which on guiding pays. Balls of skin: at 6 walks are 1.4 times
-/// better or .6 times worse than classical ones, as g is; at 60 2 to 4 times better; dark ones at 6 half as good
-/// (build/bench/guiding).
-constexpr double least_size = 10;
+/// Size of an object, in lengths of light_path, from which on guiding pays. In variance times time, balls of skin at 27
+/// are 2.1 times better guided (g .8), at 60 4.3 times (g 0), at 13 neither (g .95); at 4 they are .6 times, at 6 dark
+/// ones .45 times as good (build/bench/guiding with the limit at 0).
+constexpr double least_size = 20;
 
-/// Longest transport mean free path of a material's channels in scene units: beyond it light has forgotten its
-/// direction.
-double transport_path(const scene::Scene &scene, const scene::Material &material) {
+/// How far light gets in a medium: as a diffusion length its longest mean free path grows with 1 / sqrt(1 - g).
+double light_path(const scene::Scene &scene, const scene::Material &material) {
     const Vec3 radius = scene::mean_color(scene, material[PARAMETER_subsurface_radius]);
     const Vec3 scale = scene::mean_color(scene, material[PARAMETER_subsurface_radius_scale]);
     const Vec3 g = scene::mean_color(scene, material[PARAMETER_subsurface_scatter_anisotropy]);
-    return (radius.array() * scale.array() / (1 - g.array())).maxCoeff();
+    return (radius.array() * scale.array() / (1 - g.array()).sqrt()).maxCoeff();
 }
 
 } // namespace
@@ -72,7 +71,7 @@ bool choose_guided(const scene::Scene &scene, Geometry &geometry) {
         if (scene.render.guiding == GUIDING_NONE || !scene::walks_below(material)) continue;
         Eigen::AlignedBox3d box;
         for (const Vec3 &vertex : object.mesh.positions) box.extend(vertex);
-        if (box.sizes().maxCoeff() < least_size * transport_path(scene, material)) continue;
+        if (box.sizes().maxCoeff() < least_size * light_path(scene, material)) continue;
         geometry.objects[i].guided = 1;
         some = true;
     }

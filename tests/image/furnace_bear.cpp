@@ -40,6 +40,15 @@ TEST(Furnace, BearIsWhiteInTheMeanWithChromaticExtinction) {
                               1e-2);
 }
 
+TEST(Furnace, BearIsWhiteInTheMeanWhereWalksAreGuided) {
+    for (const auto &[guiding, g] : {std::pair{"eigen", 0.}, {"eigen", .8}, {"dwivedi", 0.}}) {
+        const Furnace furnace{
+            .mesh = bear, .radius = 0.02, .radius_scale = "[1, 0.35, 0.2]", .g = g, .guiding = guiding, .spp = 128};
+        EXPECT_GT(rendered(scene_of(furnace)).statistics.counters[shared::COUNTER_probe_rays], 0u) << "none is guided";
+        expect_white_mean(furnace, 1e-2);
+    }
+}
+
 // What the layer reflects and what it lets through are one.
 TEST(Furnace, BearIsWhiteInTheMeanUnderASpecularLayer) {
     expect_white_mean({.mesh = bear, .specular = 1, .spp = 64}, 2e-3);

@@ -23,14 +23,14 @@ void expect_no_loss(const render::Statistics &statistics) {
 scene::Scene scene_of(const Furnace &f) {
     return scene_of(fmt::format(
         R"({{"camera": {{{}}}, "image": {{"width": {}, "height": {}}},
-             "render": {{"spp": {}, "max_depth": 0, "channel_sampling": "{}"}},
+             "render": {{"spp": {}, "max_depth": 0, "channel_sampling": "{}", "guiding": "{}"}},
              "materials": {{"white": {{"subsurface_weight": 1, "subsurface_albedo": 1, "subsurface_radius": {},
                "subsurface_radius_scale": {}, "subsurface_scatter_anisotropy": {}, "subsurface_bleed": {},
                "subsurface_flight": "{}", "specular_weight": {}{}}}}},
              "objects": [{{"mesh": "{}", "material": "white", "smooth": {}}}],
              "lights": [{{"type": "environment", "radiance": 1}}]}})",
-        f.camera, f.size, f.size, f.spp, f.sampling, f.radius, f.radius_scale, f.g, f.bleed, f.flight, f.specular,
-        f.more, f.mesh, f.smooth));
+        f.camera, f.size, f.size, f.spp, f.sampling, f.guiding, f.radius, f.radius_scale, f.g, f.bleed, f.flight,
+        f.specular, f.more, f.mesh, f.smooth));
 }
 
 void expect_exactly_white(const Furnace &furnace) {

@@ -12,6 +12,7 @@ struct Furnace {
     std::string radius_scale = "1";
     double g = 0, bleed = 0;
     const char *flight = "renewal", *sampling = "hero";
+    const char *guiding = "none"; // guided walks vary about 1, by 1e-4 where nothing is absorbed
     double specular = 0;
     const char *smooth = "false";
     std::string more = {}; // of the material, with a comma before it
