@@ -13,6 +13,7 @@ std::vector<std::string> scenes() {
     std::vector<std::string> found;
     for (const auto &entry : fs::recursive_directory_iterator(NACRE_SCENES)) {
         if (entry.path().extension() != ".json") continue;
+        if (entry.path().stem().string().rfind("figure", 0) == 0) continue; // a contact sheet, no scene
 #ifndef NACRE_HEAD
         if (entry.path().stem() == "head") continue; // its mesh is not in this repository
 #endif

@@ -9,15 +9,22 @@ const Surroundings rusticl{.environment = {{"RUSTICL_ENABLE", "llvmpipe"}, {"NAC
 
 class Rusticl : public Portable {};
 
-// The generic program for all scenes: it takes Mesa the better part of a minute, once, and then comes from the caches.
+// Each scene's own program: Mesa 22.3 takes 20 seconds for one, and the square of that for the generic program. For the
+// same reason not those with a diffusion model, which take it more than four minutes.
+std::vector<SmallScene> scenes_that_compile() {
+    std::vector<SmallScene> scenes = small_scenes();
+    std::erase_if(scenes, [](const SmallScene &scene) { return scene.name == "dipole"; });
+    return scenes;
+}
+
 TEST_P(Rusticl, SamePicture) {
-    const Outcome outcome = run(arguments("out.exr", {"--stats", path("stats.json"), "--generic"}), rusticl, patience);
+    const Outcome outcome = run(arguments("out.exr", {"--stats", path("stats.json")}), rusticl, patience);
     ASSERT_EQ(outcome.code, 0) << "signal " << outcome.signal << "\n" << outcome.err;
     EXPECT_EQ(json_of("stats.json")["device"].get<std::string>().rfind("llvmpipe", 0), 0u);
     expect_as_on_pocl("out.exr", "stats.json");
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Rusticl, testing::ValuesIn(small_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, Rusticl, testing::ValuesIn(scenes_that_compile()), test_name);
 
 TEST_F(Probes, Rusticl) {
     Surroundings surroundings = rusticl;
