@@ -168,7 +168,7 @@ std::uint64_t walk_with_embree(const EmbreeScene &scene, std::span<const Path> p
         for (std::size_t first; (first = next.fetch_add(paths_at_once)) < paths.size();)
             for (const Path &path : paths.subspan(first, std::min(paths_at_once, paths.size() - first)))
                 taken += path.anisotropy.x != 0 ? walker.walk<true>(path, radiance[path.slot])
-                                              : walker.walk<false>(path, radiance[path.slot]);
+                                                : walker.walk<false>(path, radiance[path.slot]);
         steps += taken;
     };
     std::vector<std::thread> others;

@@ -4,8 +4,8 @@
 
 #include "guide/guide.h"
 
-// Cosine towards the side, density 1 / (spread (nu - mu)): mu = nu - (nu + 1) exp(-xi spread), in a form that keeps its digits for
-// a large nu.
+// Cosine towards the side, density 1 / (spread (nu - mu)): mu = nu - (nu + 1) exp(-xi spread), in a form that keeps its
+// digits for a large nu.
 real dwivedi_cosine(real inverse_nu, real spread, real xi) {
     const real nu = 1.0f / inverse_nu, e = -xi * spread;
     return max((real)(-1.0f), min(-nu * lane_expm1(e) - lane_exp(e), (real)(1.0f)));
@@ -23,7 +23,8 @@ Sides dwivedi_shares(real share, real far_strength) {
     return shares;
 }
 
-void dwivedi_flight(GuidedFlight *flight, real share, const ModeLanes *mode, Sides shares, real mu, real inverse_phase, mask entering) {
+void dwivedi_flight(GuidedFlight *flight, real share, const ModeLanes *mode, Sides shares, real mu, real inverse_phase,
+                    mask entering) {
     flight->near = shares.near;
     flight->far = shares.far;
     const real guided = fma(shares.near, dwivedi_pdf(mode, mu), shares.far * dwivedi_pdf(mode, -mu));
@@ -31,12 +32,13 @@ void dwivedi_flight(GuidedFlight *flight, real share, const ModeLanes *mode, Sid
     flight->tilt = mu * mode->inverse_nu;
 }
 
-// As eigen_direct, but for two numbers: xi_technique draws the technique of the direction, xi_length that of the length. No lane
-// waits.
+// As eigen_direct, but for two numbers: xi_technique draws the technique of the direction, xi_length that of the length. No
+// lane waits.
 void dwivedi_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight, whole channel, real3 g,
                     mask entering, real xi_technique, real xi_length, DirectionNumbers numbers, real3 *direction) {
     const real3 far = guide_far_strength(scene, guide, sigma, position, flight);
-    const Sides shares_x = dwivedi_shares(guide->share, far.x), shares_y = dwivedi_shares(guide->share, far.y), shares_z = dwivedi_shares(guide->share, far.z);
+    const Sides shares_x = dwivedi_shares(guide->share, far.x), shares_y = dwivedi_shares(guide->share, far.y),
+                shares_z = dwivedi_shares(guide->share, far.z);
     const real near = channel_of(shares_x.near, shares_y.near, shares_z.near, channel);
     const whole technique = guide_technique(guide, near, xi_technique);
     guide->technique = guide_technique(guide, near, xi_length);
@@ -53,9 +55,12 @@ void dwivedi_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 po
     *direction = pick3(entering, from, pick3(technique == TECHNIQUE_CLASSICAL, classical, guided));
 
     const real mu = dot3(guide->outward, *direction);
-    dwivedi_flight(&guide->flight_x, guide->share, &guide->x, shares_x, mu, 1.0f / phase_pdf(scene, g.x, from, *direction), entering);
-    dwivedi_flight(&guide->flight_y, guide->share, &guide->y, shares_y, mu, 1.0f / phase_pdf(scene, g.y, from, *direction), entering);
-    dwivedi_flight(&guide->flight_z, guide->share, &guide->z, shares_z, mu, 1.0f / phase_pdf(scene, g.z, from, *direction), entering);
+    dwivedi_flight(&guide->flight_x, guide->share, &guide->x, shares_x, mu, 1.0f / phase_pdf(scene, g.x, from, *direction),
+                   entering);
+    dwivedi_flight(&guide->flight_y, guide->share, &guide->y, shares_y, mu, 1.0f / phase_pdf(scene, g.y, from, *direction),
+                   entering);
+    dwivedi_flight(&guide->flight_z, guide->share, &guide->z, shares_z, mu, 1.0f / phase_pdf(scene, g.z, from, *direction),
+                   entering);
 }
 
 #endif

@@ -40,8 +40,9 @@ ChannelSides pick_channel_sides(mask m, ChannelSides a, ChannelSides b) {
     return r;
 }
 
-// Turns `direction` by the technique that was chosen: a direction of the phase function is kept with the probability phi / peak.
-// Those `entering` keep the one they have. Returns the lanes of `active` whose direction was refused. phi: at the new direction.
+// Turns `direction` by the technique that was chosen: a direction of the phase function is kept with the probability phi /
+// peak. Those `entering` keep the one they have. Returns the lanes of `active` whose direction was refused. phi: at the new
+// direction.
 uint eigen_turn(const Scene *scene, GuideLanes *guide, whole channel, real g, mask entering, LaneSampler sampler, uint active,
                 real3 *direction, ChannelSides *phi) {
     const Natural4 words = lane_draw(sampler, DRAW_WALK_TRY, guide->tries);
@@ -60,7 +61,9 @@ uint eigen_turn(const Scene *scene, GuideLanes *guide, whole channel, real g, ma
 }
 
 // Share per promise of a channel: the sides' shares are their promises, the far one's times `far_strength`, times this.
-real eigen_scale(real share, Sides promise, real far_strength) { return share / fma(far_strength, promise.far, promise.near); }
+real eigen_scale(real share, Sides promise, real far_strength) {
+    return share / fma(far_strength, promise.far, promise.near);
+}
 
 void eigen_flight(GuidedFlight *flight, const ModeLanes *mode, real mu, Sides phi, real far_strength, real scale) {
     flight->near = phi.near * scale;
@@ -69,8 +72,8 @@ void eigen_flight(GuidedFlight *flight, const ModeLanes *mode, real mu, Sides ph
     flight->tilt = mu * mode->inverse_nu;
 }
 
-// Chooses a technique for the next flight of the channels drawn, turns its direction, and prepares its density. Returns the lanes
-// of `active` that have to wait.
+// Chooses a technique for the next flight of the channels drawn, turns its direction, and prepares its density. Returns the
+// lanes of `active` that have to wait.
 uint eigen_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight, whole channel, real g,
                   mask entering, real xi_technique, LaneSampler sampler, uint active, real3 *direction) {
     // What the sides promise: a scatter from the direction so far, or to those who enter a flight in it.
@@ -81,7 +84,8 @@ uint eigen_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 posi
     const real scale_x = eigen_scale(guide->share, promise.x, far.x), scale_y = eigen_scale(guide->share, promise.y, far.y),
                scale_z = eigen_scale(guide->share, promise.z, far.z);
     guide->technique = guide_technique(
-        guide, channel_of(promise.x.near * scale_x, promise.y.near * scale_y, promise.z.near * scale_z, channel), xi_technique);
+        guide, channel_of(promise.x.near * scale_x, promise.y.near * scale_y, promise.z.near * scale_z, channel),
+        xi_technique);
     ChannelSides phi;
     const uint refused = eigen_turn(scene, guide, channel, g, entering, sampler, active, direction, &phi);
     const real mu = dot3(guide->outward, *direction);

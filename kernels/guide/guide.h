@@ -2,17 +2,17 @@
 // they see a slab, with the plane of the entry as its near side; where the object is none they are worse, never wrong.
 //
 // eigen: the walk follows the medium's slowest mode (shared/guide.h), exactly in the slab:
-//     direction  HG(w_i . w) phi(mu) / Z(mu_i), Z the mean of phi after a scatter       distance  stretched by 1 / (1 - mu / nu)
-// dwivedi: Krivanek & d'Eon 2014, "A Zero-Variance-Based Sampling Scheme for Monte Carlo Subsurface Scattering", as in the memo's
-// section 5: direction 1 / (2 pi spread (nu - mu)) about the side's normal, whatever the direction before; and direction and
-// distance choose their technique apart.
-// Each side's mode has the strength exp(-depth / nu) and its share of the light; the sides are chosen by what they promise.
-// The far side is the near one with mu and mu_i turned round.
+//     direction  HG(w_i . w) phi(mu) / Z(mu_i), Z the mean of phi after a scatter       distance  stretched by 1 / (1 - mu /
+//     nu)
+// dwivedi: Krivanek & d'Eon 2014, "A Zero-Variance-Based Sampling Scheme for Monte Carlo Subsurface Scattering", as in the
+// memo's section 5: direction 1 / (2 pi spread (nu - mu)) about the side's normal, whatever the direction before; and
+// direction and distance choose their technique apart. Each side's mode has the strength exp(-depth / nu) and its share of
+// the light; the sides are chosen by what they promise. The far side is the near one with mu and mu_i turned round.
 #ifndef NACRE_GUIDE_GUIDE_H
 #define NACRE_GUIDE_GUIDE_H
 
-#include "guide/mode.h"
 #include "flight/flight.h"
+#include "guide/mode.h"
 #include "phase/henyey_greenstein.h"
 #include "random/sampler.h"
 
@@ -43,16 +43,16 @@ typedef struct {
 } GuidedFlight;
 
 typedef struct {
-    real3 outward;    // unit normal of the near side
-    real offset;      // of its plane: a point's depth is offset - dot(outward, point)
+    real3 outward; // unit normal of the near side
+    real offset;   // of its plane: a point's depth is offset - dot(outward, point)
     real thickness;
-    real share;       // of the guided techniques
-    real far_light;   // light on the far side over that on the near side
+    real share;     // of the guided techniques
+    real far_light; // light on the far side over that on the near side
     ModeLanes x, y, z;
-    natural tries;    // directions that were tried so far
+    natural tries; // directions that were tried so far
     // Of the flight under way:
-    whole technique;  // that draws its length
-    bool has_far;     // some lane's may go to the far side
+    whole technique; // that draws its length
+    bool has_far;    // some lane's may go to the far side
     GuidedFlight flight_x, flight_y, flight_z;
 } GuideLanes;
 
@@ -61,19 +61,21 @@ typedef struct {
     real cosine, azimuth;
 } DirectionNumbers;
 
-// By how many e-folds a mode is stronger at the depth `near` below one side than at `far` below the other. Under bleed, which knows no
-// exponential mode, it falls like the flights do.
+// By how many e-folds a mode is stronger at the depth `near` below one side than at `far` below the other. Under bleed, which
+// knows no exponential mode, it falls like the flights do.
 real guide_folds(const Scene *scene, real near, real far, Flight flight) {
     if (!HAS(BLEED)) return near - far;
     return flight.rate * (flight_depth(scene, flight, near) - flight_depth(scene, flight, far));
 }
 
-// How strong the far side's mode is, for each channel, where the near side's is 1: by the depths of the position below both, and by
-// the light on both. None where it is weakest: thick objects have no far side.
+// How strong the far side's mode is, for each channel, where the near side's is 1: by the depths of the position below both,
+// and by the light on both. None where it is weakest: thick objects have no far side.
 real3 guide_far_strength(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight) {
     const real below = guide->offset - dot3(guide->outward, position);
-    const real near = max(min(below, guide->thickness), (real)(0.0f)), far = guide->thickness - near; // beyond the slab: at its end
-    const real rate_x = sigma.x * guide->x.inverse_nu, rate_y = sigma.y * guide->y.inverse_nu, rate_z = sigma.z * guide->z.inverse_nu;
+    const real near = max(min(below, guide->thickness), (real)(0.0f)),
+               far = guide->thickness - near; // beyond the slab: at its end
+    const real rate_x = sigma.x * guide->x.inverse_nu, rate_y = sigma.y * guide->y.inverse_nu,
+               rate_z = sigma.z * guide->z.inverse_nu;
     real3 folds;
     folds.x = guide_folds(scene, near * rate_x, far * rate_x, flight);
     folds.y = guide_folds(scene, near * rate_y, far * rate_y, flight);
@@ -99,9 +101,10 @@ whole guide_technique(const GuideLanes *guide, real near, real xi) {
                 pick(xi < guide->share, (whole)(TECHNIQUE_FAR), (whole)(TECHNIQUE_CLASSICAL)));
 }
 
-// Density of one channel's flight after an optical depth tau, over all techniques, per unit of tau. `classical` is flight_density's.
-real guided_density(const Scene *scene, const GuideLanes *guide, const GuidedFlight *guided, Flight flight, real tau, real classical,
-                    mask left) {
+// Density of one channel's flight after an optical depth tau, over all techniques, per unit of tau. `classical` is
+// flight_density's.
+real guided_density(const Scene *scene, const GuideLanes *guide, const GuidedFlight *guided, Flight flight, real tau,
+                    real classical, mask left) {
     const real one = (real)(1.0f), near_rate = 1.0f - guided->tilt, far_rate = 1.0f + guided->tilt;
     const real near = pick(left, one, near_rate) * flight_density(scene, flight, near_rate * tau, left);
     real density = fma(guided->near, near, (1.0f - guide->share) * classical);

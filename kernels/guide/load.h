@@ -5,8 +5,8 @@
 #include "geometry/ray.h"
 #include "guide/guide.h"
 
-// The nearest of the material's modes for each channel, counted from its first: never one between two, whose phi and nu would not
-// belong together.
+// The nearest of the material's modes for each channel, counted from its first: never one between two, whose phi and nu would
+// not belong together.
 uint4 nearest_modes(global const Material *material, float4 albedo, float4 g) {
     const float4 similarity2 = (1.0f - albedo) / max(1.0f - albedo * g, 1e-6f);
     uint4 i = convert_uint4_rte(sqrt(sqrt(clamp(similarity2, 0.0f, 1.0f))) * (float)(GUIDE_ALBEDOS - 1));
@@ -53,13 +53,14 @@ void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path)
 // Light on the far side of a slab over that on the near side, which faces `outward`.
 float guide_far_light(global const LightSides *sides, float3 outward) {
     const float3 share = outward * outward, upper = sides->upper.xyz, lower = sides->lower.xyz;
-    const float near = dot(share, select(lower, upper, outward > 0.0f)), far = dot(share, select(upper, lower, outward > 0.0f));
+    const float near = dot(share, select(lower, upper, outward > 0.0f)),
+                far = dot(share, select(upper, lower, outward > 0.0f));
     if (!(near + far > 0.0f)) return 1.0f;
     return clamp(far / near, GUIDE_LEAST_LIGHT, 1.0f / GUIDE_LEAST_LIGHT);
 }
 
-// The slab that a walk begins in, but for its thickness, which a ray has to find: light comes in at `position` through a surface
-// with the unit normal `outward`.
+// The slab that a walk begins in, but for its thickness, which a ray has to find: light comes in at `position` through a
+// surface with the unit normal `outward`.
 void guide_begin(const Scene *scene, Path *path, float3 position, float3 outward) {
     path->outward = (float4)(outward, dot(outward, position));
     path->thickness = GUIDE_THICK;

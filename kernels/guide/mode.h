@@ -33,14 +33,7 @@ Legendre legendre_at(real mu) {
     return p;
 }
 
-real legendre_sum(const real *factors, const Legendre *p) {
-    real sum = factors[0];
-#pragma unroll
-    for (int l = 1; l < GUIDE_TERMS; l++) sum = fma(factors[l], p->value[l], sum);
-    return sum;
-}
-
-// The sum at mu and at -mu: P_l is even or odd as l is.
+// The sum of the polynomials at mu and at -mu: P_l is even or odd as l is.
 Sides mode_sides(const real *factors, const Legendre *p) {
     real even = factors[0], odd = factors[1] * p->value[1];
 #pragma unroll

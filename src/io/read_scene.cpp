@@ -10,9 +10,8 @@ constexpr Choice channel_samplings[] = {{"hero", shared::CHANNEL_HERO},
                                         {"single", shared::CHANNEL_SINGLE},
                                         {"albedo", shared::CHANNEL_ALBEDO},
                                         {"throughput", shared::CHANNEL_THROUGHPUT}};
-constexpr Choice guidings[] = {{"eigen", shared::GUIDING_EIGEN},
-                               {"none", shared::GUIDING_NONE},
-                               {"dwivedi", shared::GUIDING_DWIVEDI}};
+constexpr Choice guidings[] = {
+    {"eigen", shared::GUIDING_EIGEN}, {"none", shared::GUIDING_NONE}, {"dwivedi", shared::GUIDING_DWIVEDI}};
 
 } // namespace
 
