@@ -37,7 +37,7 @@ Path path_begin(const Scene *scene, uint x, uint y, uint sample, uint slot) {
     path.outward = (float4)(0.0f);
     path.bleed = path.first_number = path.thickness = path.far_light = 0.0f;
     path.object = path.flight = path.max_depth = path.channel = path.steps = path.depth = path.tries = 0u;
-    path.scatters = 0u;
+    path.scatters = path.pad[0] = path.pad[1] = 0u; // all of it: a suspended path is copied whole
     const Sampler sampler = sampler_of(scene->frame->seed, path.pixel, sample, 0u);
     const float2 lens = HAS(LENS) ? draw_pair(sampler, DRAW_LENS) : (float2)(0.0f);
     float3 origin, direction;
