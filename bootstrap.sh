@@ -9,7 +9,7 @@ preset=${1:-release}
 
 packages=(g++ cmake ninja-build git ca-certificates
           libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers pocl-opencl-icd
-          libopenimageio-dev openimageio-tools libimath-dev libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+          libopenimageio-dev openimageio-tools libimath-dev libeigen3-dev libceres-dev libcli11-dev libfmt-dev nlohmann-json3-dev
           libtinygltf-dev libtinyobjloader-dev libxxhash-dev libgtest-dev libbenchmark-dev
           fonts-dejavu-core # captions of contact sheets
           oclgrind mesa-opencl-icd) # two more OpenCL implementations, for tests

@@ -1,4 +1,5 @@
 #include "walks/walk_scene.h"
+#include "albedo/inversion.h"
 #include "entries.h"
 #include "render/convert.h"
 #include "scene/bounds.h"
@@ -11,13 +12,6 @@ namespace {
 using namespace shared;
 
 constexpr std::uint32_t samples_per_pixel = 16; // that many paths share a pixel's key
-
-/// van de Hulst's inversion, as albedo_van_de_hulst of kernels/walk/medium.h.
-double albedo_of(double color, double g) {
-    const double root = std::sqrt(9.59217 + color * (41.6808 + 17.7126 * color));
-    const double s = std::clamp(4.09712 + 4.20863 * color - root, 0.0, 1.0);
-    return (1 - s * s) / (1 - g * s * s);
-}
 
 } // namespace
 
@@ -56,7 +50,8 @@ std::vector<Path> walk_entries(const scene::Scene &scene, std::span<const accel:
     const Vec3 free_path =
         material[PARAMETER_subsurface_radius].value.cwiseProduct(material[PARAMETER_subsurface_radius_scale].value) /
         scene::frame_of(scene).size;
-    const Vec3 albedo = material[PARAMETER_subsurface_color].value.unaryExpr([g](double c) { return albedo_of(c, g); });
+    const Vec3 albedo = material[PARAMETER_subsurface_color].value.unaryExpr(
+        [g](double color) { return albedo::albedo(INVERSION_TABLE, color, {.anisotropy = g}); });
     Random random(12345);
     Entries entries(triangles);
     std::vector<Path> paths(count);

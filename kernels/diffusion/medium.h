@@ -13,7 +13,7 @@ typedef struct {
     float single, multiple;
 } Lobes;
 
-// Colour of a half-space: van de Hulst's form that albedo_van_de_hulst inverts.
+// Colour of a half-space: van de Hulst's form (1980), to .03.
 float color_van_de_hulst(float albedo, float g) {
     const float s = dipole_similarity(albedo, g);
     return (1.0f - s) * (1.0f - 0.139f * s) / (1.0f + 1.17f * s);
@@ -41,7 +41,7 @@ void diffusion_enter(const Scene *scene, Path *path, global const Material *mate
                      Counts *counts) {
     medium_at(scene, material, surface->uv, path);
     const float3 value = clamp(material_color(scene, material, PARAMETER_subsurface_color, surface->uv), 0.0f, 1.0f);
-    const bool direct = material->inversion == INVERSION_NONE;
+    const bool direct = material->albedo_source == ALBEDO_GIVEN;
     const float3 g = path->anisotropy.xyz;
     const Lobes r = lobes_of(material->model, value.x, direct, path->albedo.x, g.x);
     const Lobes y = lobes_of(material->model, value.y, direct, path->albedo.y, g.y);

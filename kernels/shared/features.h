@@ -27,7 +27,8 @@
     X(CLEARANCE)         /* an object has a clearance field */                                                         \
     X(SCATTER_AOV)       /* layers of scattering orders, walk.steps */                                                 \
     X(INTERFACE)         /* refracted entry, or reflection inside, somewhere */                                              \
-    X(DIFFUSION_MODEL)   /* a material with a subsurface_model other than random_walk */
+    X(DIFFUSION_MODEL)   /* a material with a subsurface_model other than random_walk */                               \
+    X(ALBEDO_TABLE)      /* a material whose albedo follows a texture of colours, g or bleed */
 
 SHARED_BEGIN
 

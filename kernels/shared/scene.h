@@ -34,7 +34,8 @@ enum Parameter {
 
 enum FlightLaw { FLIGHT_RENEWAL, FLIGHT_RECIPROCAL };
 enum ChannelSampling { CHANNEL_SINGLE, CHANNEL_ALBEDO, CHANNEL_THROUGHPUT, CHANNEL_HERO };
-enum Inversion { INVERSION_VAN_DE_HULST, INVERSION_NONE };
+enum Inversion { INVERSION_TABLE, INVERSION_MEMO, INVERSION_VAN_DE_HULST, INVERSION_CHIANG, INVERSION_NONE };
+enum AlbedoSource { ALBEDO_GIVEN, ALBEDO_FIXED, ALBEDO_TABLE };
 enum Entry { ENTRY_LAMBERT, ENTRY_UNIFORM, ENTRY_REFRACTED };
 enum SubsurfaceModel { MODEL_RANDOM_WALK, MODEL_DIPOLE, MODEL_BETTER_DIPOLE, MODEL_BURLEY };
 enum LightKind { LIGHT_ENVIRONMENT, LIGHT_ENVIRONMENT_IMAGE, LIGHT_RECT, LIGHT_TRIANGLE, LIGHT_POINT, LIGHT_DIRECTIONAL };
@@ -62,9 +63,10 @@ struct Camera {
 
 struct Material {
     float4 value[PARAMETER_COUNT]; // rgb, or the number in x (and y, z)
+    float4 albedo;                 // of single scattering, where its source is FIXED
     int texture[PARAMETER_COUNT];  // index of a Texture, or -1
     int flight;                    // FlightLaw
-    int inversion;                 // Inversion; none: subsurface_color holds the single-scattering albedo
+    int albedo_source;             // AlbedoSource; GIVEN: subsurface_color holds it; TABLE: shared/inversion.h
     int entry;                     // Entry
     uint max_depth;                // scatters a walk may have, 0: no cap
     float radius_scale;            // of a texture of radii, to the kernels' units (value[] has it already)
@@ -72,7 +74,8 @@ struct Material {
     uint guide_anisotropies;       // 1: made for its anisotropy; else for any, see shared/guide.h
     int internal_reflection;       // walks may be turned back at the surface
     int model;                     // SubsurfaceModel; flight, entry, max_depth and bleed are the random walk's alone
-    uint pad[3];
+    uint similarity_first;         // its table of similarities by colour, g and bleed: INVERSION_COLORS x ...
+    uint similarity_anisotropies, similarity_bleeds; // ... or 1 where they are the same everywhere
 };
 
 // RGBA or one channel, half floats, linear, row 0 at v = 1 (the top of the picture).

@@ -15,6 +15,7 @@ constexpr const char *examples = R"(Examples:
   nacre check scene.json
   nacre profile scene.json --size 256x256
   nacre sheet scenes/figures/figure5.json -o figure5.png
+  nacre albedo --color 0.8,0.5,0.4 --g 0.8
   nacre devices
 
 Exit codes: 0 done, 1 the render failed, 2 bad command line, 3 bad scene or input file, 4 no device or device failure,
@@ -32,7 +33,7 @@ int run(int argc, char **argv) {
     program.set_version_flag("--version", NACRE_VERSION);
     using namespace nacre::app;
     const Run commands[] = {add_render(program), add_devices(program), add_check(program), add_profile(program),
-                            add_sheet(program)};
+                            add_sheet(program), add_albedo(program)};
     const std::vector<CLI::App *> known = program.get_subcommands({});
     try {
         program.parse(argc, argv);

@@ -8,6 +8,10 @@ void check_output(const std::filesystem::path &file) {
     const std::string extension = file.extension().string();
     if (extension != ".exr" && extension != ".png")
         throw Error(Exit::usage, file.string(), "pictures are written as .exr or .png; choose one of these endings");
+    check_output_file(file);
+}
+
+void check_output_file(const std::filesystem::path &file) {
     check_output_folder(file.has_parent_path() ? file.parent_path() : ".", file.string());
 }
 

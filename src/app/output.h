@@ -7,6 +7,9 @@ namespace nacre::app {
 /// Error{Exit::usage} for an ending that is neither .exr nor .png.
 void check_output(const std::filesystem::path &file);
 
+/// The same for a file of any kind.
+void check_output_file(const std::filesystem::path &file);
+
 /// The same for a folder that files go into.
 void check_output_folder(const std::filesystem::path &folder, const std::string &subject);
 

@@ -27,19 +27,30 @@ std::string describe(const render::Progress &p) {
 
 ProgressBar::ProgressBar(bool quiet) : terminal(isatty(STDERR_FILENO)), quiet(quiet) {}
 
-void ProgressBar::show(const render::Progress &progress) {
+bool ProgressBar::due() {
     const auto now = std::chrono::steady_clock::now();
-    if (quiet || now - last < (terminal ? 100ms : 5s)) return;
+    if (quiet || now - last < (terminal ? 100ms : 5s)) return false;
     last = now;
+    return true;
+}
+
+void ProgressBar::draw(double share, const std::string &text) {
     drawn = true;
     if (!terminal) {
-        fmt::print(stderr, "nacre: {}\n", describe(progress));
+        fmt::print(stderr, "nacre: {}\n", text);
         return;
     }
-    const int cells = 24,
-              full = int(cells * double(progress.samples) / double(std::max<std::uint64_t>(1, progress.wanted)));
-    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\033[K", "", full, "", cells - full, describe(progress));
+    const int cells = 24, full = int(cells * share);
+    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\033[K", "", full, "", cells - full, text);
     std::fflush(stderr);
+}
+
+void ProgressBar::show(const render::Progress &progress) {
+    if (due()) draw(double(progress.samples) / double(std::max<std::uint64_t>(1, progress.wanted)), describe(progress));
+}
+
+void ProgressBar::show(double share, const std::string &what) {
+    if (due()) draw(share, fmt::format("{:3.0f} %  {}", 100 * share, what));
 }
 
 void ProgressBar::finish() {

@@ -10,9 +10,13 @@ class ProgressBar {
   public:
     explicit ProgressBar(bool quiet);
     void show(const render::Progress &progress);
+    void show(double share, const std::string &what); // 0 .. 1 of something else than samples
     void finish();
 
   private:
+    bool due();
+    void draw(double share, const std::string &text);
+
     bool terminal, quiet, drawn = false;
     std::chrono::steady_clock::time_point last{};
 };

@@ -90,14 +90,10 @@ void Fields::choose(const std::string &name, std::span<const Choice> choices, in
     std::string word;
     if (!find(name)) return;
     read(name, word);
-    std::vector<std::string> all, built;
-    for (const Choice &choice : choices) {
-        all.emplace_back(choice.name);
-        if (choice.built) built.emplace_back(choice.name);
-    }
+    std::vector<std::string> all;
+    for (const Choice &choice : choices) all.emplace_back(choice.name);
     const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const Choice &c) { return word == c.name; });
     if (chosen == choices.end()) fail(name, fmt::format("unknown value '{}'{}", word, suggest(word, all)));
-    if (!chosen->built) fail(name, fmt::format("'{}' is not built yet, use {}", word, fmt::join(built, " or ")));
     value = chosen->value;
 }
 

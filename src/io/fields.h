@@ -7,11 +7,10 @@
 
 namespace nacre::io {
 
-/// A word and what it means; `built` is false for what the scene format names and nacre does not do yet.
+/// A word and what it means.
 struct Choice {
     const char *name;
     int value;
-    bool built = true;
 };
 
 /// The fields of one JSON object. Each read_* leaves its argument alone where the field is absent, and throws

@@ -32,11 +32,11 @@ constexpr ParameterField parameter_fields[] = {
 };
 
 constexpr Choice flights[] = {{"renewal", shared::FLIGHT_RENEWAL}, {"reciprocal", shared::FLIGHT_RECIPROCAL}};
-constexpr Choice inversions[] = {{"van_de_hulst", shared::INVERSION_VAN_DE_HULST},
-                                 {"none", shared::INVERSION_NONE},
-                                 {"table", 0, false},
-                                 {"memo", 0, false},
-                                 {"chiang", 0, false}};
+constexpr Choice inversions[] = {{"table", shared::INVERSION_TABLE},
+                                 {"memo", shared::INVERSION_MEMO},
+                                 {"van_de_hulst", shared::INVERSION_VAN_DE_HULST},
+                                 {"chiang", shared::INVERSION_CHIANG},
+                                 {"none", shared::INVERSION_NONE}};
 constexpr Choice entries[] = {
     {"lambert", shared::ENTRY_LAMBERT}, {"uniform", shared::ENTRY_UNIFORM}, {"refracted", shared::ENTRY_REFRACTED}};
 constexpr Choice models[] = {{"random_walk", shared::MODEL_RANDOM_WALK},

@@ -5,6 +5,7 @@
 #include "render/clearance.h"
 #include "render/convert.h"
 #include "render/guides.h"
+#include "render/inversion.h"
 #include "render/light_sides.h"
 #include <optional>
 #include <xxhash.h>
@@ -54,7 +55,6 @@ Material to_device(const scene::Material &source, const scene::Frame &frame) {
     material.value[PARAMETER_subsurface_radius] = to_float4(source[PARAMETER_subsurface_radius].value / frame.size);
     material.radius_scale = float(1 / frame.size);
     material.flight = source.flight;
-    material.inversion = source.inversion;
     material.entry = source.entry;
     material.max_depth = source.max_depth;
     material.internal_reflection = source.internal_reflection ? 1 : 0;
@@ -143,6 +143,8 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     for (const scene::Material &material : scene.materials) materials.push_back(to_device(material, units));
     std::vector<GuideMode> modes;
     if (guided) add_guides(scene, materials, modes);
+    std::vector<float> similarities;
+    add_albedos(scene, materials, similarities);
     std::vector<Texture> textures;
     std::vector<std::uint16_t> texels;
     if (features & FEATURE_TEXTURES) pack_textures(scene, textures, texels);
@@ -166,6 +168,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("guide", modes);
     constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
     uploader.add("light_sides", std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike));
+    uploader.add("similarities", similarities);
     if (guided) out.light_points = light_points(scene, geometry);
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();

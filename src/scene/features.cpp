@@ -34,6 +34,7 @@ std::uint32_t material_features(const Material &material) {
         mask |= FEATURE_EMISSION;
     if (std::any_of(material.values.begin(), material.values.end(), [](const Value &v) { return v.texture >= 0; }))
         mask |= FEATURE_TEXTURES;
+    if (subsurface && inverts_texture(material)) mask |= FEATURE_ALBEDO_TABLE;
     if (material[PARAMETER_geometry_normal].texture >= 0) mask |= FEATURE_NORMAL_MAP;
     return mask;
 }

@@ -31,4 +31,13 @@ bool walks_below(const Material &material) {
     return scatters_below(material) && material.model == shared::MODEL_RANDOM_WALK;
 }
 
+bool inverts_texture(const Material &material) {
+    const auto painted = [&](shared::Parameter p) { return material[p].texture >= 0; };
+    const bool walks = material.model == shared::MODEL_RANDOM_WALK;
+    if (material.inversion == shared::INVERSION_NONE || !(walks || material.model == shared::MODEL_BURLEY))
+        return false; // dipoles have inversions of their own
+    return painted(shared::PARAMETER_subsurface_color) || painted(shared::PARAMETER_subsurface_scatter_anisotropy) ||
+           (walks && painted(shared::PARAMETER_subsurface_bleed));
+}
+
 } // namespace nacre::scene

@@ -35,7 +35,7 @@ struct Material {
     std::string name;
     std::array<Value, shared::PARAMETER_COUNT> values; // by shared::Parameter; OpenPBR's defaults
     shared::FlightLaw flight = shared::FLIGHT_RENEWAL;
-    shared::Inversion inversion = shared::INVERSION_VAN_DE_HULST;
+    shared::Inversion inversion = shared::INVERSION_TABLE;
     shared::Entry entry = shared::ENTRY_LAMBERT;
     shared::SubsurfaceModel model = shared::MODEL_RANDOM_WALK;
     std::uint32_t max_depth = 0;      // scatters a walk may have, 0: no cap
@@ -51,6 +51,9 @@ bool scatters_below(const Material &material);
 
 /// It does so in random walks.
 bool walks_below(const Material &material);
+
+/// Its single-scattering albedo comes from its colour, and is not the same everywhere.
+bool inverts_texture(const Material &material);
 
 struct Object {
     std::string name; // for messages: file or shape, and its place in the scene

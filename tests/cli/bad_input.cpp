@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
              "scene.json",
              R"({"materials": {"skin": {}}, "objects": [{"sphere": {}, "material": "skim"}]})",
              {"skim", "skin"}},
-        Case{"NotYetBuilt", "scene.json", scene(R"("subsurface_inversion": "table")"), {"table", "van_de_hulst"}},
+        Case{"UnknownInversion", "scene.json", scene(R"("subsurface_inversion": "tables")"), {"table", "van_de_hulst"}},
         Case{"NoMesh", "scene.json", scene_of_mesh("none.ply"), {"none.ply"}},
         Case{"NoImage",
              "scene.json",

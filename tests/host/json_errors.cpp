@@ -142,7 +142,7 @@ TEST_F(JsonErrors, Ranges) {
 TEST_F(JsonErrors, NotBuiltYet) {
     const Case cases[] = {
         {section(R"("render": {"guiding": "eigne"})"), {"unknown value 'eigne', did you mean 'eigen'?"}},
-        {material(R"("subsurface_inversion": "table")"), {"'table' is not built yet, use van_de_hulst or none"}},
+        {material(R"("subsurface_inversion": "hulst")"), {"table", "memo", "van_de_hulst", "chiang", "none"}},
     };
     for (const auto &[json, fragments] : cases) expect_error(json, fragments);
 }

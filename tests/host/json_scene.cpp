@@ -116,7 +116,7 @@ TEST_F(JsonScene, DefaultsAreOpenPbrs) {
     EXPECT_EQ(value(PARAMETER_subsurface_bleed), Vec3::Constant(0));
     EXPECT_EQ(s.materials[0].flight, FLIGHT_RENEWAL);
     EXPECT_EQ(s.materials[0].model, MODEL_RANDOM_WALK);
-    EXPECT_EQ(s.materials[0].inversion, INVERSION_VAN_DE_HULST);
+    EXPECT_EQ(s.materials[0].inversion, INVERSION_TABLE);
     EXPECT_EQ(s.render.spp, 64u);
     EXPECT_EQ(s.render.channel_sampling, CHANNEL_HERO);
     ASSERT_EQ(s.lights.size(), 1u);

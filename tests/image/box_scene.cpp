@@ -1,8 +1,6 @@
 #include "image/box_scene.h"
-#include <filesystem>
+#include "patch/patch.h"
 #include <fmt/format.h>
-#include <fstream>
-#include <unistd.h>
 
 namespace nacre {
 namespace {
@@ -23,48 +21,11 @@ std::string scene_text(const Medium &m, double radius, double camera_height, dou
         objects);
 }
 
-// A box of 2 x 2 x 2 with its front at z = 0. The front is made of squares around squares, down to about `smallest`:
-// where a walk meets a triangle is rounded by some 1e-7 of the triangle's size, which must be much less than a mean
-// free path.
-std::string deep_box(double smallest) {
-    std::string vertices, faces;
-    int rings = 0;
-    const auto square = [&](double half, double z) {
-        vertices += fmt::format("{0} {0} {2}\n{1} {0} {2}\n{1} {1} {2}\n{0} {1} {2}\n", -half, half, z);
-    };
-    // The band between squares `a` and `b`, counter-clockwise as seen from where b lies within a.
-    const auto band = [&](int a, int b) {
-        for (int k = 0; k < 4; ++k)
-            faces += fmt::format("4 {} {} {} {}\n", a + k, a + (k + 1) % 4, b + (k + 1) % 4, b + k);
-    };
-    square(1, -2);
-    for (double half = 1; half > smallest / 2; half /= 4) {
-        square(half, 0);
-        band(4 * rings, 4 * (rings + 1));
-        ++rings;
-    }
-    const int last = 4 * rings;
-    faces += fmt::format("4 3 2 1 0\n4 {} {} {} {}\n", last, last + 1, last + 2, last + 3);
-    return fmt::format(
-        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-        "element face {}\nproperty list uchar int vertex_indices\nend_header\n{}{}",
-        4 * (rings + 1), 4 * rings + 2, vertices, faces);
-}
-
 } // namespace
 
 scene::Scene half_space(const Medium &medium, double thickness) {
-    const double radius = 2 / thickness;
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() / ("nacre-box-" + std::to_string(getpid()) + ".ply");
-    std::ofstream(file) << deep_box(100 * radius);
-    scene::Scene scene = scene_of(scene_text(medium, radius, 100 * radius, 1,
-                                             fmt::format(R"(
-        {{"mesh": "{}", "material": "medium"}},
-        {{"box": {{"min": [-0.001, -0.001, 1.998], "max": [0.001, 0.001, 2]}}, "material": "black"}})",
-                                                         file.string())));
-    std::filesystem::remove(file);
-    return scene;
+    const scene::Scene scene = plain_box(medium, thickness);
+    return patch::patch_scene(scene.materials[scene.objects[0].material], thickness, 64);
 }
 
 scene::Scene plain_box(const Medium &medium, double thickness) {

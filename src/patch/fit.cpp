@@ -1,0 +1,190 @@
+#include "patch/fit.h"
+#include "albedo/half_space.h"
+#include "base/parallel.h"
+#include <ceres/ceres.h>
+#include <cmath>
+#include <map>
+
+namespace nacre::patch {
+namespace {
+
+using albedo::MemoFit, albedo::Polynomial, albedo::ExponentialOfPolynomial;
+using Six = std::array<double, 6>; // A .. F of eq 6
+
+/// Eq 6.
+template <typename T> T curve(double x, const T &a, const T &b, const T &c, const T &d, const T &e, const T &f) {
+    using std::atan, std::pow;
+    const double blend = std::pow(x, 0.25);
+    return (1 - blend) * a * pow(atan(b * x), c) + blend * d * pow(atan(e * x), f);
+}
+
+/// Eq 7 of 8 coefficients.
+template <typename T> T polynomial(const T *p, double g) {
+    T sum(0);
+    for (int i = 7; i >= 0; --i) sum = sum * g + p[i];
+    return sum;
+}
+
+/// Eq 8 of 9: offset, factor, and 7 of the exponent.
+template <typename T> T exponential(const T *p, double g) {
+    using std::exp;
+    T sum(0);
+    for (int i = 8; i >= 2; --i) sum = (sum + p[i]) * g;
+    return p[0] + p[1] * exp(sum);
+}
+
+struct CurveResidual {
+    double x, albedo;
+    template <typename T> bool operator()(const T *p, T *residual) const {
+        residual[0] = curve(x, p[0], p[1], p[2], p[3], p[4], p[5]) - albedo;
+        return true;
+    }
+};
+
+struct ExponentialResidual {
+    double g, value;
+    template <typename T> bool operator()(const T *p, T *residual) const {
+        residual[0] = exponential(p, g) / value - 1.0;
+        return true;
+    }
+};
+
+/// Eq 9 less the albedo, in colour: times the slope of colour by albedo.
+struct ColorResidual {
+    double x, g, albedo, slope;
+    template <typename T>
+    bool operator()(const T *a, const T *b, const T *c, const T *d, const T *e, const T *f, T *residual) const {
+        residual[0] = slope * (curve(x, polynomial(a, g), exponential(b, g), polynomial(c, g), polynomial(d, g),
+                                     exponential(e, g), polynomial(f, g)) -
+                               albedo);
+        return true;
+    }
+};
+
+void solve(ceres::Problem &problem) {
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = 2000;
+    options.function_tolerance = 1e-12;
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+}
+
+using Column = std::vector<Survey::Point>; // of one g, by albedo
+std::vector<Column> columns_of(const Survey &survey) {
+    std::map<double, Column> columns;
+    for (const Survey::Point &point : survey.points) columns[point.g].push_back(point);
+    std::vector<Column> sorted;
+    for (auto &[g, column] : columns) sorted.push_back(std::move(column));
+    return sorted;
+}
+
+Six fit_curve(const Column &column, Six start) {
+    ceres::Problem problem;
+    for (const Survey::Point &point : column)
+        problem.AddResidualBlock(
+            new ceres::AutoDiffCostFunction<CurveResidual, 1, 6>(new CurveResidual{point.color, point.albedo}), nullptr,
+            start.data());
+    for (int i = 0; i < 6; ++i) problem.SetParameterLowerBound(start.data(), i, 1e-3);
+    solve(problem);
+    return start;
+}
+
+Polynomial fit_polynomial(const std::vector<double> &g, const std::vector<double> &values) {
+    Eigen::MatrixXd powers(Eigen::Index(g.size()), 8);
+    for (Eigen::Index i = 0; i < powers.rows(); ++i)
+        for (int k = 0; k < 8; ++k) powers(i, k) = std::pow(g[std::size_t(i)], k);
+    const Eigen::VectorXd found =
+        powers.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(values.data(), powers.rows()));
+    Polynomial p;
+    std::copy(found.begin(), found.end(), p.begin());
+    return p;
+}
+
+std::array<double, 9> flat(const ExponentialOfPolynomial &p) {
+    std::array<double, 9> all{p.offset, p.factor};
+    std::copy(p.power.begin(), p.power.end(), all.begin() + 2);
+    return all;
+}
+
+ExponentialOfPolynomial exponential_of(const std::array<double, 9> &all) {
+    ExponentialOfPolynomial p{all[0], all[1], {}};
+    std::copy(all.begin() + 2, all.end(), p.power.begin());
+    return p;
+}
+
+ExponentialOfPolynomial fit_exponential(const std::vector<double> &g, const std::vector<double> &values,
+                                        const ExponentialOfPolynomial &start) {
+    std::array<double, 9> p = flat(start);
+    ceres::Problem problem;
+    for (std::size_t i = 0; i < g.size(); ++i)
+        problem.AddResidualBlock(
+            new ceres::AutoDiffCostFunction<ExponentialResidual, 1, 9>(new ExponentialResidual{g[i], values[i]}),
+            nullptr, p.data());
+    solve(problem);
+    return exponential_of(p);
+}
+
+} // namespace
+
+FitError fit_error(const MemoFit &fit) {
+    constexpr int anisotropies = 20, colors = 100;
+    std::array<double, anisotropies> largest{}, sum{};
+    parallel_for(anisotropies, [&](std::size_t i) {
+        const double g = 0.95 * double(i) / (anisotropies - 1);
+        const albedo::HalfSpace medium(g, 0, shared::FLIGHT_RENEWAL);
+        for (int j = 0; j < colors; ++j) {
+            const double x = 0.002 + 0.997 * j / (colors - 1);
+            const double a = std::clamp(albedo::memo_albedo(fit, x, g), 0.0, 1.0);
+            const double error = std::abs(medium.color(std::sqrt((1 - a) / (1 - g * a)), shared::ENTRY_LAMBERT) - x);
+            largest[i] = std::max(largest[i], error);
+            sum[i] += error;
+        }
+    });
+    FitError error{};
+    for (int i = 0; i < anisotropies; ++i) {
+        error.largest = std::max(error.largest, largest[std::size_t(i)]);
+        error.mean += sum[std::size_t(i)] / (anisotropies * colors);
+    }
+    return error;
+}
+
+MemoFit fit_in_two_stages(const Survey &survey, const MemoFit &start) {
+    std::vector<double> g;
+    std::array<std::vector<double>, 6> parameters;
+    const std::array<double, 9> b = flat(start.b), e = flat(start.e);
+    for (const Column &column : columns_of(survey)) {
+        const double at = column[0].g;
+        g.push_back(at);
+        const Six found = fit_curve(column, {polynomial(start.a.data(), at), exponential(b.data(), at),
+                                             polynomial(start.c.data(), at), polynomial(start.d.data(), at),
+                                             exponential(e.data(), at), polynomial(start.f.data(), at)});
+        for (std::size_t i = 0; i < 6; ++i) parameters[i].push_back(found[i]);
+    }
+    return {fit_polynomial(g, parameters[0]),           fit_exponential(g, parameters[1], start.b),
+            fit_polynomial(g, parameters[2]),           fit_polynomial(g, parameters[3]),
+            fit_exponential(g, parameters[4], start.e), fit_polynomial(g, parameters[5])};
+}
+
+MemoFit fit_jointly(const Survey &survey, const MemoFit &start) {
+    MemoFit fit = start;
+    std::array<double, 9> b = flat(fit.b), e = flat(fit.e);
+    ceres::Problem problem;
+    for (const Column &column : columns_of(survey))
+        for (std::size_t i = 0; i < column.size(); ++i) {
+            const Survey::Point &point = column[i], &before = column[i > 0 ? i - 1 : 0],
+                                &after = column[std::min(i + 1, column.size() - 1)];
+            const double slope = (after.color - before.color) / (after.albedo - before.albedo);
+            problem.AddResidualBlock(new ceres::AutoDiffCostFunction<ColorResidual, 1, 8, 9, 8, 8, 9, 8>(
+                                         new ColorResidual{point.color, point.g, point.albedo, slope}),
+                                     nullptr, fit.a.data(), b.data(), fit.c.data(), fit.d.data(), e.data(),
+                                     fit.f.data());
+        }
+    solve(problem);
+    fit.b = exponential_of(b);
+    fit.e = exponential_of(e);
+    return fit;
+}
+
+} // namespace nacre::patch
