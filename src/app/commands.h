@@ -11,5 +11,6 @@ Run add_devices(CLI::App &program);
 Run add_check(CLI::App &program);
 Run add_profile(CLI::App &program);
 Run add_sheet(CLI::App &program);
+Run add_compare(CLI::App &program);
 
 } // namespace nacre::app
