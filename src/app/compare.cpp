@@ -78,7 +78,8 @@ int compare_pictures(const CompareOptions &options) {
                     "--aov variance,samples, or with its default layers");
     if (!options.heat_map.empty()) {
         const bool as_numbers = std::filesystem::path(options.heat_map).extension() == ".exr";
-        io::write_picture(options.heat_map, compare::heat_map(a, b, *c.verdict, as_numbers), 0);
+        io::write_picture(options.heat_map, as_numbers ? compare::score_map(a, b) : compare::heat_map(a, b, *c.verdict),
+                          0);
     }
     return int(c.verdict->different() ? Exit::failed : Exit::done);
 }

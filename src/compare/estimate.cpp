@@ -1,6 +1,8 @@
 #include "compare/estimate.h"
 #include "base/error.h"
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace nacre::compare {
@@ -27,11 +29,32 @@ std::vector<std::array<float, 3>> colors(const io::Picture &picture, const std::
     return values;
 }
 
+double level_of(const std::vector<std::array<float, 3>> &colors) {
+    double sum = 0, count = 0;
+    for (const auto &color : colors)
+        for (const float value : color)
+            if (std::isfinite(value)) {
+                sum += std::abs(value);
+                ++count;
+            }
+    return count > 0 ? sum / count : 0;
+}
+
 std::string window(const io::Picture &picture) {
     return fmt::format("{} x {} pixels at {}, {}", picture.width, picture.height, picture.crop_x, picture.crop_y);
 }
 
 } // namespace
+
+// A film adds up blocks of 64 samples in float, each addition good to 2^-24 of the sum, before it goes on in double.
+// Far below the picture's level the squares of samples are below what floats hold, and so is their variance: what is
+// there counts as nothing. The layer itself is float too, and good to the smallest of them.
+Measured Estimate::at(std::size_t pixel, int channel) const {
+    const auto c = std::size_t(channel);
+    const double value = mean[pixel][c];
+    return {value, double(variance[pixel][c]) + std::numeric_limits<float>::min(), samples[pixel],
+            64 * 0x1p-24 * std::abs(value) + 1e-10 * level};
+}
 
 Estimate estimate_of(const io::Picture &picture, const std::string &name) {
     Estimate estimate;
@@ -39,6 +62,7 @@ Estimate estimate_of(const io::Picture &picture, const std::string &name) {
     estimate.height = picture.height;
     estimate.mean = colors(picture, "");
     if (estimate.mean.empty()) input_error(name, "has no channels R, G and B: compare pictures of colour");
+    estimate.level = level_of(estimate.mean);
     estimate.variance = colors(picture, "variance.");
     if (const auto samples = channel_of(picture, "samples")) {
         const std::size_t channels = picture.channels.size();

@@ -6,9 +6,10 @@
 
 namespace nacre::compare {
 
-/// One channel of one pixel as a measurement: the mean of `samples` samples and the variance of that mean.
+/// One channel of one pixel as a measurement: the mean of `samples` samples, the variance of that mean, and what of the
+/// mean is no noise but rounding.
 struct Measured {
-    double mean, variance, samples;
+    double mean, variance, samples, rounding;
 };
 
 /// A picture as measurements, row 0 at the top. Means are linear RGB, in the picture's own unit.
@@ -18,11 +19,10 @@ struct Estimate {
     std::vector<std::array<float, 3>> variance; // of the mean; empty where the picture has no such layer
     std::vector<float> samples;                 // empty where the picture has no such layer
 
+    double level = 0; // mean of all |R|, |G|, |B| that are finite
+
     bool has_noise() const { return !variance.empty() && !samples.empty(); }
-    Measured at(std::size_t pixel, int channel) const {
-        const auto c = std::size_t(channel);
-        return {mean[pixel][c], variance[pixel][c], samples[pixel]};
-    }
+    Measured at(std::size_t pixel, int channel) const;
 };
 
 /// The channels R, G, B, `variance.*` and `samples` of `picture`; `name` is for messages. Throws Error{Exit::input}

@@ -3,10 +3,14 @@
 
 namespace nacre::compare {
 
-/// The differences of two tested pictures as a picture. `as_numbers` (EXR): R, G, B and tile.R, tile.G, tile.B hold the
-/// signed z of every pixel and of the tile it is in. Otherwise (PNG, exposure 0) colours of each pixel's worst channel:
-/// red where A is brighter, blue where B is, the stronger the nearer to the limit, yellow and cyan beyond it; tiles
-/// beyond theirs have a frame of these colours. Pixels that are not finite are magenta.
-io::Picture heat_map(const Estimate &a, const Estimate &b, const Verdict &verdict, bool as_numbers);
+/// The z of every pixel and of the tile it is in, signed (> 0: A is brighter), in the channels R, G, B and tile.R,
+/// tile.G, tile.B: to be written as EXR. 0 where nothing was tested.
+io::Picture score_map(const Estimate &a, const Estimate &b);
+
+/// The same to look at, as linear RGB to be written as PNG at exposure 0. Red where A is brighter over the 7 x 7 pixels
+/// around (in the channel where that is clearest), blue where B is, the stronger the nearer z is to the limit of tiles;
+/// single pixels cannot be seen through noise. Yellow (A brighter) and cyan (B) are pixels beyond their own limit and
+/// the frames of tiles beyond theirs. Pixels that are not finite are magenta.
+io::Picture heat_map(const Estimate &a, const Estimate &b, const Verdict &verdict);
 
 } // namespace nacre::compare

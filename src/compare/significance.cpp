@@ -8,12 +8,7 @@ namespace {
 
 constexpr int families = 3;
 
-// A film adds up blocks of 64 samples in float, each addition good to 2^-24 of the sum, before it goes on in double.
-constexpr double rounding = 64 * 0x1p-24;
-
-double rounding_of(const Measured &a, const Measured &b) {
-    return rounding * std::max(std::abs(a.mean), std::abs(b.mean));
-}
+double rounding_of(const Measured &a, const Measured &b) { return std::max(a.rounding, b.rounding); }
 
 double less_rounding(double difference, double rounding) {
     return std::copysign(std::max(0.0, std::abs(difference) - rounding), difference);
@@ -26,10 +21,6 @@ double variance_by_spread(const Measured &a, const Measured &b) {
     if (!(freedom > 0)) return 0;
     const double squares = (a.samples - 1) * a.samples * a.variance + (b.samples - 1) * b.samples * b.variance;
     return std::max(a.variance + b.variance, squares / freedom * (1 / a.samples + 1 / b.samples));
-}
-
-bool sampled(const Estimate &a, const Estimate &b, std::size_t pixel) {
-    return a.samples[pixel] >= 1 && b.samples[pixel] >= 1 && finite(a, b, pixel);
 }
 
 /// Keeps the worst of a family's differences.
@@ -55,7 +46,7 @@ template <typename F> void for_pixels(const Estimate &a, const Estimate &b, cons
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
             const std::size_t pixel = std::size_t(y) * std::size_t(a.width) + std::size_t(x);
-            if (!sampled(a, b, pixel)) continue;
+            if (!tested(a, b, pixel)) continue;
             for (int c = 0; c < 3; ++c) each(pixel_difference(a.at(pixel, c), b.at(pixel, c)), x, y, c);
         }
 }
@@ -84,6 +75,10 @@ bool finite(const Estimate &a, const Estimate &b, std::size_t pixel) {
     return true;
 }
 
+bool tested(const Estimate &a, const Estimate &b, std::size_t pixel) {
+    return a.samples[pixel] >= 1 && b.samples[pixel] >= 1 && finite(a, b, pixel);
+}
+
 Difference pixel_difference(const Measured &a, const Measured &b) {
     const double value = less_rounding(a.mean - b.mean, rounding_of(a, b));
     const double fewer = std::min(a.samples, b.samples);
@@ -95,7 +90,7 @@ Difference mean_difference(const Estimate &a, const Estimate &b, int channel, in
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x) {
             const std::size_t pixel = std::size_t(y) * std::size_t(a.width) + std::size_t(x);
-            if (!sampled(a, b, pixel)) continue;
+            if (!tested(a, b, pixel)) continue;
             const Measured first = a.at(pixel, channel), second = b.at(pixel, channel);
             const double difference = first.mean - second.mean;
             sum += difference;
@@ -111,21 +106,21 @@ Difference mean_difference(const Estimate &a, const Estimate &b, int channel, in
 Verdict test(const Estimate &a, const Estimate &b, double alpha) {
     Verdict verdict;
     verdict.alpha = alpha;
-    double tested = 0;
+    double count = 0;
     for (std::size_t pixel = 0; pixel < a.mean.size(); ++pixel) {
         if (!finite(a, b, pixel))
             ++verdict.not_finite;
-        else if (!sampled(a, b, pixel))
+        else if (!tested(a, b, pixel))
             ++verdict.untested;
         else {
-            ++tested;
+            ++count;
             for (std::size_t c = 0; c < 3; ++c) {
                 verdict.channels[c].mean_a += a.mean[pixel][c];
                 verdict.channels[c].mean_b += b.mean[pixel][c];
             }
         }
     }
-    if (tested == 0) return verdict;
+    if (count == 0) return verdict;
 
     const auto test_family = [&](Family &family, const auto &for_all) {
         for_all(a, b, [&](const Difference &d, int x, int y, int c) { take(family, d, x, y, c); });
@@ -137,8 +132,8 @@ Verdict test(const Estimate &a, const Estimate &b, double alpha) {
     for (int c = 0; c < 3; ++c) {
         const Difference difference = mean_difference(a, b, c, 0, 0, a.width, a.height);
         Channel &channel = verdict.channels[c];
-        channel.mean_a /= tested;
-        channel.mean_b /= tested;
+        channel.mean_a /= count;
+        channel.mean_b /= count;
         channel.error = difference.error;
         channel.z = difference.z();
         take(verdict.picture, difference, 0, 0, c);

@@ -70,4 +70,7 @@ Verdict test(const Estimate &a, const Estimate &b, double alpha);
 /// Whether all numbers of the pixel are finite in both pictures and no variance is negative.
 bool finite(const Estimate &a, const Estimate &b, std::size_t pixel);
 
+/// Whether it has samples in both, too, and so is tested.
+bool tested(const Estimate &a, const Estimate &b, std::size_t pixel);
+
 } // namespace nacre::compare
