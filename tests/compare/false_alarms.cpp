@@ -16,7 +16,7 @@ struct Samples {
     int a, b;
 };
 // Few and many, and a reference with many more than the picture.
-constexpr Samples kinds[] = {{1, 1}, {2, 2}, {4, 4}, {16, 16}, {128, 8}};
+constexpr Samples kinds[] = {{1, 1}, {2, 2}, {4, 4}, {16, 16}, {128, 8}, {100, 20}};
 
 /// The test that this one is not: z by the stored variances, taken for normal, of each pixel; Sidak's correction.
 bool plain_test_alarms(const compare::Estimate &a, const compare::Estimate &b) {
@@ -47,7 +47,8 @@ TEST(FalseAlarms, AreNotMoreThanAlphaInAThousandPairs) {
     int all = 0;
     for (std::size_t i = 0; i < std::size(kinds); ++i) {
         RecordProperty(std::to_string(kinds[i].a) + "_against_" + std::to_string(kinds[i].b), alarms[i]);
-        EXPECT_LE(alarms[i], at_most(double(pairs) / std::size(kinds))) << kinds[i].a << " against " << kinds[i].b;
+        EXPECT_LE(alarms[i], at_most(double(pairs) / double(std::size(kinds))))
+            << kinds[i].a << " against " << kinds[i].b;
         all += alarms[i];
     }
     EXPECT_LE(all, at_most(pairs));
@@ -60,6 +61,16 @@ TEST(FalseAlarms, TwoSamplesAreNoProof) {
     EXPECT_NEAR(std::abs(two.z()), std::sqrt(3), 1e-12) << "2n - 1, whatever the samples are";
     const compare::Difference many = compare::pixel_difference({1, 0, 1000, 0}, {2, 0, 2, 0});
     EXPECT_NEAR(std::abs(many.z()), std::sqrt(3), 1e-12) << "the fewer count";
+}
+
+// A firefly of 60 in 20 samples against a reference that knows the mean, .75 + 60 / 200, and spread of all its samples.
+TEST(FalseAlarms, PicturesVouchForEachOther) {
+    const double spread = 60 * 60 * (1.0 / 200);
+    const compare::Measured reference{1.05, spread / 100000, 100000, 0};
+    const compare::Measured met{0.75 + 60.0 / 20, 60.0 * 60 / 20 / 20, 20, 0}, missed{0.75, 1e-6, 20, 0};
+    EXPECT_NEAR(compare::pixel_difference(met, reference).z(), 0.9, 0.1) << "its own spread is the larger one";
+    EXPECT_NEAR(compare::pixel_difference(missed, reference).z(), -0.3 / std::sqrt(spread / 20), 0.02)
+        << "the reference's is";
 }
 
 TEST(FalseAlarms, RoundingIsNoDifference) {
