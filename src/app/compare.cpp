@@ -106,25 +106,20 @@ Run add_compare(CLI::App &program) {
             "the limit, frames: tiles beyond it), .exr as z of pixels and tiles")
         ->type_name("FILE");
     command->add_flag("--json", options->json, "Print JSON.");
-    command->footer("Three tests share alpha: every pixel, every tile of 16 x 16 pixels, and the whole picture, each "
-                    "of them channel by\n"
-                    "channel and corrected for their number (Sidak). z is a difference in standard errors, `limit` "
-                    "what it may reach,\n"
-                    "`beyond` how many go further, p how likely the worst is by chance, at most. Heavy tails of noise, "
-                    "few samples and\n"
-                    "unlike numbers of samples are allowed for. Pictures need different seeds, and the same settings "
-                    "of sampling for\n"
-                    "alpha to be a strict bound.\n\n"
-                    "MSE, relMSE: mean of (A - B)^2 and of (A - B)^2 / (B^2 + (mean of B / 10)^2). PSNR: against the "
-                    "largest value of B.\n"
-                    "FLIP: HDR-FLIP of Andersson et al. 2021, its mean, 0 to 1.\n\n"
-                    "Exit codes: 0 alike, 1 different (or a pixel is not finite), 3 no test: files that cannot be "
-                    "read, other sizes, no\n"
-                    "variance.\n\n"
-                    "Examples:\n"
-                    "  nacre compare new.exr reference.exr\n"
-                    "  nacre compare new.exr reference.exr --heatmap where.png --alpha 1e-4\n"
-                    "  nacre compare new.exr reference.exr --json > compare.json");
+    command->footer(
+        "Three tests share alpha: every pixel, every tile of 16 x 16 pixels, and the whole picture, each of them\n"
+        "channel by channel and corrected for their number (Sidak). z is a difference in standard errors, `limit`\n"
+        "what it may reach, `beyond` how many go further, p how likely the worst of them is by chance, at most.\n"
+        "Heavy tails of noise, few samples and unlike numbers of samples are allowed for. Give the two pictures\n"
+        "different seeds. Where their settings of sampling are the same, alpha is a bound, otherwise an estimate.\n\n"
+        "MSE, relMSE: mean of (A - B)^2 and of (A - B)^2 / (B^2 + (mean of B / 10)^2). PSNR: against the largest\n"
+        "value of B. FLIP: HDR-FLIP of Andersson et al. 2021, its mean, 0 to 1.\n\n"
+        "Exit codes: 0 alike, 1 different (or a pixel is not finite), 3 no test: files that cannot be read, other\n"
+        "sizes, no variance.\n\n"
+        "Examples:\n"
+        "  nacre compare new.exr reference.exr\n"
+        "  nacre compare new.exr reference.exr --heatmap where.png --alpha 1e-4\n"
+        "  nacre compare new.exr reference.exr --json > compare.json");
     return [options] { return compare_pictures(*options); };
 }
 

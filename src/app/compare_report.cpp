@@ -39,7 +39,9 @@ std::string verdict_text(const Comparison &c, const Verdict &v) {
     }
     text += "\n";
     if (v.not_finite > 0)
-        text += fmt::format("{} pixels hold infinity, no number or a variance below 0\n", v.not_finite);
+        text += fmt::format("pixels with infinity, no number or a variance below 0: {}, the first at {}, {}\n",
+                            v.not_finite, c.a.crop_x + v.not_finite_x, c.a.crop_y + v.not_finite_y);
+    if (v.untested > 0) text += fmt::format("pixels without samples, not tested: {}\n", v.untested);
     return text +
            fmt::format("{}: p {}, at alpha {:g}\n", v.different() ? "different" : "alike", probability(v.p), v.alpha);
 }
@@ -80,7 +82,8 @@ nlohmann::ordered_json verdict_json(const Comparison &c, const Verdict &v) {
             {"picture", family_json(c, v.picture, false)},
             {"channels", channels},
             {"tile_size", compare::tile_size},
-            {"not_finite", v.not_finite},
+            {"not_finite",
+             {{"pixels", v.not_finite}, {"x", c.a.crop_x + v.not_finite_x}, {"y", c.a.crop_y + v.not_finite_y}}},
             {"untested", v.untested}};
 }
 

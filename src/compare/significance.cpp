@@ -108,9 +108,12 @@ Verdict test(const Estimate &a, const Estimate &b, double alpha) {
     verdict.alpha = alpha;
     double count = 0;
     for (std::size_t pixel = 0; pixel < a.mean.size(); ++pixel) {
-        if (!finite(a, b, pixel))
-            ++verdict.not_finite;
-        else if (!tested(a, b, pixel))
+        if (!finite(a, b, pixel)) {
+            if (verdict.not_finite++ == 0) {
+                verdict.not_finite_x = int(pixel % std::size_t(a.width));
+                verdict.not_finite_y = int(pixel / std::size_t(a.width));
+            }
+        } else if (!tested(a, b, pixel))
             ++verdict.untested;
         else {
             ++count;

@@ -19,7 +19,7 @@
 //  differences,
 //    whichever is more. Where both pictures were rendered alike it is by chance which is A and which is B, in every
 //    pixel: a sum of random signs, whose tail is bounded by sign_tail for any distribution of the samples and any
-//    number of pixels. So the rate of false alarms is not only about, but at most what was asked for.
+//    number of pixels. So the rate of false alarms of these is not only about, but at most what was asked for.
 // Pixels are taken to be independent (each has its own scrambling) and the pictures too (other seeds). Sobol samples
 // are more even than the variance layer says, which makes false alarms rarer still.
 namespace nacre::compare {
@@ -53,8 +53,9 @@ struct Verdict {
     Family pixels, tiles, picture;
     Channel channels[3];
     std::uint64_t not_finite = 0; // pixels with a number in them that is none, or is infinite, or a variance below 0
-    std::uint64_t untested = 0;   // pixels without samples in one of the pictures
-    double p = 1;                 // of all: that a family goes so far by chance, at most
+    int not_finite_x = 0, not_finite_y = 0; // the first of them
+    std::uint64_t untested = 0;             // pixels without samples in one of the pictures
+    double p = 1;                           // of all: that a family goes so far by chance, at most
     bool different() const { return p < alpha || not_finite > 0; }
 };
 

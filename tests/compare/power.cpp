@@ -76,9 +76,11 @@ TEST(Power, ThePictureIsHeldAgainstItsVariances) {
 TEST(Power, NumbersThatAreNoneAreADifference) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         Twins twins;
-        twins.a.mean[7][1] = twins.b.mean[7][1] = bad;
+        twins.a.mean[48 + 7][1] = twins.b.mean[48 + 7][1] = bad;
         const compare::Verdict verdict = compare::test(twins.a, twins.b, alpha);
         EXPECT_EQ(verdict.not_finite, 1u);
+        EXPECT_EQ(verdict.not_finite_x, 7);
+        EXPECT_EQ(verdict.not_finite_y, 1);
         EXPECT_TRUE(verdict.different());
         EXPECT_EQ(verdict.p, 1) << "the others are alike";
     }
