@@ -12,5 +12,6 @@ Run add_check(CLI::App &program);
 Run add_profile(CLI::App &program);
 Run add_sheet(CLI::App &program);
 Run add_albedo(CLI::App &program);
+Run add_compare(CLI::App &program);
 
 } // namespace nacre::app

@@ -16,10 +16,11 @@ constexpr const char *examples = R"(Examples:
   nacre profile scene.json --size 256x256
   nacre sheet scenes/figures/figure5.json -o figure5.png
   nacre albedo --color 0.8,0.5,0.4 --g 0.8
+  nacre compare new.exr reference.exr --heatmap where.png
   nacre devices
 
-Exit codes: 0 done, 1 the render failed, 2 bad command line, 3 bad scene or input file, 4 no device or device failure,
-5 output cannot be written, 130 interrupted (what was rendered is saved).)";
+Exit codes: 0 done, 1 the render failed or the pictures differ, 2 bad command line, 3 bad scene or input file, 4 no device
+or device failure, 5 output cannot be written, 130 interrupted (what was rendered is saved).)";
 
 int complain(const std::string &message, nacre::Exit code) {
     fmt::print(stderr, "nacre: error: {}\n", message);
@@ -32,8 +33,8 @@ int run(int argc, char **argv) {
     program.require_subcommand(1);
     program.set_version_flag("--version", NACRE_VERSION);
     using namespace nacre::app;
-    const Run commands[] = {add_render(program), add_devices(program), add_check(program), add_profile(program),
-                            add_sheet(program), add_albedo(program)};
+    const Run commands[] = {add_render(program), add_devices(program), add_check(program),  add_profile(program),
+                            add_sheet(program),  add_albedo(program),  add_compare(program)};
     const std::vector<CLI::App *> known = program.get_subcommands({});
     try {
         program.parse(argc, argv);

@@ -36,4 +36,8 @@ struct Picture {
 /// `file` is whole or untouched. Throws Error{Exit::output}; Error{Exit::usage} for another extension.
 void write_picture(const std::filesystem::path &file, const Picture &picture, double exposure);
 
+/// Reads an EXR back with all its channels (half ones become float) and what `metadata` was written with. Throws
+/// Error{Exit::input} that names the file and what to do.
+Picture read_picture(const std::filesystem::path &file);
+
 } // namespace nacre::io

@@ -7,7 +7,7 @@ namespace {
 
 TEST_F(Cli, HelpOfEveryCommandHasExamples) {
     for (const std::vector<std::string> &command :
-         {std::vector<std::string>{}, {"render"}, {"devices"}, {"check"}, {"profile"}, {"sheet"}}) {
+         {std::vector<std::string>{}, {"render"}, {"devices"}, {"check"}, {"profile"}, {"sheet"}, {"compare"}}) {
         std::vector<std::string> arguments = command;
         arguments.push_back("--help");
         const Outcome help = run(arguments);
