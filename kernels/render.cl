@@ -12,9 +12,9 @@
 // then there are few of them, with `pool` as their store.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void trace_paths(
     SCENE_PARAMETERS, Batch batch, global float4 *radiance, global float4 *layers, global const Path *resumed,
-    global Path *suspended, volatile global uint *counters, global Path *pool) {
+    global Path *suspended, volatile global uint *counters, global Path *pool LISTED(, global const uint *tiles)) {
     const Scene view = {SCENE_ARGUMENTS}, *scene = &view;
-    const Launch launch = {batch, radiance, layers, resumed, suspended, counters};
+    const Launch launch = {batch, radiance, layers, resumed, suspended, counters LISTED(, tiles)};
     Counts counts = no_counts();
 #if LANES == 1
     trace_single(scene, &launch, get_global_id(0), &counts);
@@ -27,11 +27,13 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void trace_paths(
 // Adds a traced batch to the film, `planes` float4 per pixel of the tile order.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void accumulate(
     SCENE_PARAMETERS, Batch batch, global const float4 *radiance, global const float4 *layers, global float4 *film,
-    uint planes) {
+    uint planes LISTED(, global const uint *tiles)) {
     const Scene view = {SCENE_ARGUMENTS}, *scene = &view;
     const uint i = get_global_id(0);
-    uint x, y;
-    if (i >= batch.pixel_count || !pixel_at(scene, batch.first_pixel + i, &x, &y)) return;
+    if (i >= batch.pixel_count) return;
+    uint x, y, pixel = batch.first_pixel + i;
+    LISTED(pixel = listed_pixel(tiles, pixel);)
+    if (!pixel_at(scene, pixel, &x, &y)) return;
     film_accumulate(scene, batch.first_pixel + i, batch.sample_count, i * batch.sample_count, radiance, layers, planes, film);
 }
 

@@ -4,6 +4,18 @@
 
 #include "path/path.h"
 
+// With -DTILE_LIST only.
+#ifdef TILE_LIST
+#define LISTED(...) __VA_ARGS__
+#else
+#define LISTED(...)
+#endif
+
+// Where pixel `index` of the list is in the tile order.
+uint listed_pixel(global const uint *tiles, uint index) {
+    return (tiles[index / (TILE * TILE)] & ~SECOND_HALF) * (TILE * TILE) + index % (TILE * TILE);
+}
+
 typedef struct {
     Batch batch;
     global float4 *radiance; // one per slot of the batch
@@ -11,6 +23,7 @@ typedef struct {
     global const Path *resumed;
     global Path *suspended;
     volatile global uint *counters;
+    LISTED(global const uint *tiles;)
 } Launch;
 
 uint launch_paths(const Launch *launch) {
@@ -27,9 +40,12 @@ bool launch_path(const Scene *scene, const Launch *launch, uint i, Path *path, C
         *path = launch->resumed[i];
         return true;
     }
-    uint x, y;
-    if (!pixel_at(scene, launch->batch.first_pixel + i / launch->batch.sample_count, &x, &y)) return false;
-    *path = path_begin(scene, x, y, launch->batch.first_sample + i % launch->batch.sample_count, i);
+    uint x, y, pixel = launch->batch.first_pixel + i / launch->batch.sample_count;
+    uint sample = launch->batch.first_sample + i % launch->batch.sample_count;
+    LISTED(sample |= launch->tiles[pixel / (TILE * TILE)] & SECOND_HALF;)
+    LISTED(pixel = listed_pixel(launch->tiles, pixel);)
+    if (!pixel_at(scene, pixel, &x, &y)) return false;
+    *path = path_begin(scene, x, y, sample, i);
     counts->value[COUNTER_paths] += 1u;
     layers_begin(scene, launch_layers(scene, launch, i));
     return true;

@@ -28,14 +28,15 @@ typedef enum {
 #define SOBOL_VERTICES 3u
 
 typedef struct {
-    uint key;    // of seed and pixel
+    uint key;    // of seed, pixel and half
     uint sample;
     uint vertex;
 } Sampler;
 
+// Samples of the second half (shared/path.h) have a scrambling of their own.
 Sampler sampler_of(uint seed, uint pixel, uint sample, uint vertex) {
     Sampler sampler;
-    sampler.key = random_hash((uint4)(seed, pixel, 0x85ebca6bu, 0xc2b2ae35u)).x;
+    sampler.key = random_hash((uint4)(seed, pixel, 0x85ebca6bu ^ (sample >> 31), 0xc2b2ae35u)).x;
     sampler.sample = sample;
     sampler.vertex = vertex;
     return sampler;

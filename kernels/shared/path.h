@@ -74,4 +74,9 @@ typedef struct Batch Batch;
 // Samples are added up in float within aligned blocks of this many, the blocks in double on the host.
 #define FILM_BLOCK 64
 
+// A program with -DTILE_LIST (adaptive renders) takes its pixels from a list of tiles, TILE x TILE for each entry; its film is in
+// the list's order. This bit of an entry says that its samples are of the second half: that is samples SECOND_HALF and on, whose
+// numbers are independent of those of samples 0 and on.
+#define SECOND_HALF 0x80000000u
+
 #endif

@@ -1,4 +1,5 @@
 #include "app/progress.h"
+#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,12 +16,19 @@ std::string duration(double seconds) {
     return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
+/// What ends the render first says how far it is: samples or time.
+double share_of(const render::Progress &p) {
+    const double samples = double(p.samples) / double(std::max<std::uint64_t>(1, p.wanted));
+    return std::clamp(p.until > 0 ? std::max(samples, p.sampling / p.until) : samples, 0.0, 1.0);
+}
+
 std::string describe(const render::Progress &p) {
-    const double share = p.wanted > 0 ? double(p.samples) / double(p.wanted) : 1;
-    const double left = share > 0 ? p.seconds * (1 - share) / share : 0;
-    const double rate = p.seconds > 0 ? double(p.rays) / p.seconds : 0;
-    return fmt::format("{:3.0f} %  {:.2f} of {:.2f} M samples  {:.2f} M rays/s  {} left", 100 * share,
-                       double(p.samples) * 1e-6, double(p.wanted) * 1e-6, rate * 1e-6, duration(left));
+    const double share = share_of(p), left = share > 0 ? p.seconds * (1 - share) / share : 0;
+    const double rate = p.seconds > 0 ? double(p.rays) / p.seconds : 0, samples = double(p.samples) * 1e-6;
+    const std::string done = p.until > 0
+                                 ? fmt::format("{:.1f} of {:g} s  {:.2f} M samples", p.sampling, p.until, samples)
+                                 : fmt::format("{:.2f} of {:.2f} M samples", samples, double(p.wanted) * 1e-6);
+    return fmt::format("{:3.0f} %  {}  {:.2f} M rays/s  {} left", 100 * share, done, rate * 1e-6, duration(left));
 }
 
 } // namespace
@@ -46,7 +54,7 @@ void ProgressBar::draw(double share, const std::string &text) {
 }
 
 void ProgressBar::show(const render::Progress &progress) {
-    if (due()) draw(double(progress.samples) / double(std::max<std::uint64_t>(1, progress.wanted)), describe(progress));
+    if (due()) draw(share_of(progress), describe(progress));
 }
 
 void ProgressBar::show(double share, const std::string &what) {

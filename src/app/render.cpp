@@ -17,15 +17,21 @@ int render_scene(const RenderOptions &options) {
     const render::Layers layers = options.layers();
     scene::Scene scene = watch.load(options);
     const render::Crop crop = options.parse_crop(scene);
+    const std::uint32_t spp = options.most_samples(scene);
     if (!options.quiet)
         for (const std::string &warning : scene.warnings) fmt::print(stderr, "nacre: warning: {}\n", warning);
 
     render::Session session(watch.open_device(options), scene,
-                            {.layers = layers, .crop = crop, .generic = options.generic, .timeline = watch.timeline()});
+                            {.layers = layers,
+                             .crop = crop,
+                             .generic = options.generic,
+                             .error = options.error.value_or(0),
+                             .seconds = options.seconds.value_or(0),
+                             .timeline = watch.timeline()});
     catch_interrupts();
     ProgressBar bar(options.quiet);
     const bool complete = session.render(
-        scene.render.spp, [&](const render::Progress &progress) { bar.show(progress); }, &interrupted);
+        spp, [&](const render::Progress &progress) { bar.show(progress); }, &interrupted);
     bar.finish();
     {
         const Span span(watch.timeline(), "write picture");
@@ -57,6 +63,8 @@ Run add_render(CLI::App &program) {
         "Examples:\n"
         "  nacre render scenes/bear/bear.json -o bear.png\n"
         "  nacre render head.glb -o head.exr --spp 256 --size 1024x1024 --stats head.json\n"
+        "  nacre render scenes/bear/bear.json -o bear.exr --error 0.02\n"
+        "  nacre render scenes/bear/bear.json -o bear.exr --error 0.01 --spp 4096 --time 60\n"
         "  nacre render scene.json -o crop.exr --crop 100,100,200,200 --set render.channel_sampling=throughput");
     return [options] { return render_scene(*options); };
 }

@@ -7,6 +7,19 @@
 namespace nacre::app {
 namespace {
 
+// Where --error ends without --spp: a picture is as good as it gets, or something in it is hopeless.
+constexpr std::uint32_t most_adaptive_spp = 1 << 16;
+
+/// A number in (0, `most`]; CLI::Range takes NaN.
+CLI::Validator positive(double most, const std::string &advice) {
+    return {[most, advice](const std::string &text) {
+                double value = 0;
+                const bool number = CLI::detail::lexical_cast(text, value);
+                return number && value > 0 && value <= most ? std::string() : text + " is not " + advice;
+            },
+            ""};
+}
+
 /// Whole numbers separated by `separator`, exactly `count` of them; empty if `text` is anything else.
 std::vector<std::uint32_t> numbers(const std::string &text, char separator, std::size_t count) {
     std::vector<std::uint32_t> result;
@@ -45,6 +58,18 @@ void RenderOptions::add_to(CLI::App &command) {
     command.add_option("-o,--output", output, "Picture to write: .exr (float, with layers) or .png (sRGB)")
         ->required()
         ->type_name("FILE");
+    command
+        .add_option("--error", error,
+                    "Sample every tile of 8 x 8 pixels until its noise is this small: a fraction of the picture's mean "
+                    "(0.02: 2 %), less where it is darker and more where it is brighter, by the square root, as a "
+                    "display shows it. --spp is then the most that a pixel gets (default: 65536)")
+        ->check(positive(1, "a fraction above 0 and up to 1, for example 0.02 for 2 %"))
+        ->type_name("E");
+    command
+        .add_option("--time", seconds,
+                    "Stop after so many seconds of sampling, or when --spp or --error is reached if they are given")
+        ->check(positive(1e9, "a number of seconds above 0"))
+        ->type_name("S");
     command.add_option("--crop", crop, "Render only pixels X0 <= x < X1, Y0 <= y < Y1")->type_name("X0,Y0,X1,Y1");
     command
         .add_option("--aov", aov,
@@ -113,6 +138,13 @@ render::Layers RenderOptions::layers() const {
         from = comma + 1;
     }
     return layers;
+}
+
+std::uint32_t RenderOptions::most_samples(const scene::Scene &target) const {
+    if (error && spp && *spp < 2)
+        throw Error(Exit::usage, "--error", "compares two halves of the samples; give it --spp 2 or more");
+    if (spp || !(error || seconds)) return target.render.spp;
+    return error ? most_adaptive_spp : unlimited_spp;
 }
 
 render::Crop RenderOptions::parse_crop(const scene::Scene &target) const {

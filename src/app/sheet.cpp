@@ -8,7 +8,6 @@
 #include "sheet/caption.h"
 #include "sheet/contact.h"
 #include "sheet/text.h"
-#include <limits>
 
 namespace nacre::app {
 namespace {
@@ -47,17 +46,13 @@ sheet::Tile render_panel(const sheet::Sheet &what, std::size_t index, const Shee
     render::Options how;
     how.layers.variance = true;
     how.generic = options.generic;
+    how.seconds = seconds.value_or(0);
     render::Session session(device, scene, how);
 
     ProgressBar bar(options.quiet);
-    std::atomic<bool> stop = false;
-    const auto report = [&](render::Progress progress) {
-        stop = interrupted || (seconds && progress.sampling >= *seconds);
-        if (seconds) // time is what is wanted, samples are what comes of it
-            progress.wanted = std::uint64_t(double(progress.samples) * std::max(1.0, *seconds / progress.sampling));
-        bar.show(progress);
-    };
-    session.render(seconds ? std::numeric_limits<std::uint32_t>::max() : scene.render.spp, report, &stop);
+    session.render(
+        seconds ? unlimited_spp : scene.render.spp, [&](const render::Progress &progress) { bar.show(progress); },
+        &interrupted);
     bar.finish();
     const render::Statistics statistics = session.statistics();
     if (!options.quiet)

@@ -12,6 +12,7 @@ struct Variant {
     std::uint32_t bvh_stack = 64;    // entries of the traversal stack
     int lanes = 1;                   // walks side by side in one work-item
     bool profile = false;            // counts what shared/counters.h lists under PROFILE_LIST
+    bool tile_list = false;          // pixels come from a list of tiles: -DTILE_LIST, shared/path.h
     std::string extra;               // further options, for probes
 };
 

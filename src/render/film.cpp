@@ -13,17 +13,19 @@ std::uint32_t Layers::planes() const {
 
 std::uint32_t Layers::kept() const { return (surface() ? LAYERS_SURFACE : 0) + (scatter() ? LAYERS_SCATTER : 0); }
 
-Film::Film(const Crop &crop, std::uint32_t planes)
+Film::Film(const Crop &crop, std::uint32_t planes, std::uint32_t halves)
     : crop(crop), planes(planes), columns((crop.width() + TILE - 1) / TILE),
-      count(columns * ((crop.height() + TILE - 1) / TILE) * TILE * TILE), sums(std::size_t(count) * planes * 4),
-      samples(count) {}
+      count(columns * ((crop.height() + TILE - 1) / TILE) * TILE * TILE), halves(halves),
+      sums(std::size_t(halves) * count * planes * 4), samples(std::size_t(halves) * count) {}
 
 std::uint32_t Film::tile_index(std::uint32_t x, std::uint32_t y) const {
     return ((y / TILE) * columns + x / TILE) * TILE * TILE + (y % TILE) * TILE + x % TILE;
 }
 
-void Film::add(const std::vector<float4> &block) {
-    for (std::size_t i = 0; i < block.size(); ++i) {
+namespace {
+
+void add_to(double *sums, const float4 *block, std::size_t values) {
+    for (std::size_t i = 0; i < values; ++i) {
         sums[4 * i] += block[i].x;
         sums[4 * i + 1] += block[i].y;
         sums[4 * i + 2] += block[i].z;
@@ -31,15 +33,72 @@ void Film::add(const std::vector<float4> &block) {
     }
 }
 
+} // namespace
+
+void Film::add(const std::vector<float4> &block) { add_to(sums.data(), block.data(), block.size()); }
+
+void Film::add_tile(std::uint32_t tile, std::uint32_t half, const float4 *block, const std::uint32_t *more) {
+    const std::size_t first = std::size_t(half) * count + std::size_t(tile) * TILE * TILE;
+    add_to(sums.data() + first * planes * 4, block, std::size_t(TILE * TILE) * planes);
+    for (std::size_t i = 0; i < TILE * TILE; ++i) samples[first + i] += more[i];
+}
+
 void Film::count_samples(std::uint32_t first, std::uint32_t pixel_count, std::uint32_t more) {
     for (std::uint32_t i = first; i < first + pixel_count; ++i) samples[i] += more;
+}
+
+std::uint32_t Film::samples_of(std::uint32_t pixel) const {
+    std::uint32_t total = 0;
+    for (std::size_t half = 0; half < halves; ++half) total += samples[half * count + pixel];
+    return total;
 }
 
 std::uint64_t Film::total_samples() const {
     std::uint64_t total = 0;
     for (std::uint32_t y = 0; y < crop.height(); ++y)
-        for (std::uint32_t x = 0; x < crop.width(); ++x) total += samples[tile_index(x, y)];
+        for (std::uint32_t x = 0; x < crop.width(); ++x) total += samples_of(tile_index(x, y));
     return total;
+}
+
+/// Value `value` of the planes; a half that has no samples has no say.
+double Film::mean(std::uint32_t pixel, std::uint32_t value) const {
+    double mean = 0, having = 0;
+    for (std::size_t half = 0; half < halves; ++half) {
+        const std::size_t at = half * count + pixel;
+        if (samples[at] == 0) continue;
+        mean += sums[at * planes * 4 + value] * (1.0 / samples[at]);
+        having += 1;
+    }
+    return having > 1 ? mean / having : mean;
+}
+
+/// Of the mean, from the samples' own spread; 0 where it cannot be known.
+double Film::variance(std::uint32_t pixel, std::uint32_t channel) const {
+    double variance = 0, having = 0;
+    for (std::size_t half = 0; half < halves; ++half) {
+        const std::size_t at = half * count + pixel;
+        const double n = samples[at], *sum = sums.data() + at * planes * 4;
+        if (n < 1) continue;
+        having += 1;
+        if (n < 2) continue;
+        const double scale = 1 / n, mean = sum[channel] * scale;
+        variance += std::max(0.0, sum[4 * FILM_SQUARE + channel] * scale - mean * mean) / (n - 1);
+    }
+    return having > 1 ? variance / (having * having) : variance;
+}
+
+double Film::relative_error() const {
+    double means = 0, variances = 0, lit = 0;
+    for (std::uint32_t y = 0; y < crop.height(); ++y)
+        for (std::uint32_t x = 0; x < crop.width(); ++x) {
+            const std::uint32_t pixel = tile_index(x, y);
+            const double light = mean(pixel, 0) + mean(pixel, 1) + mean(pixel, 2);
+            if (!(light > 0)) continue;
+            lit += 3;
+            means += light;
+            for (std::uint32_t c = 0; c < 3; ++c) variances += variance(pixel, c);
+        }
+    return lit > 0 ? std::sqrt(variances * lit) / means : 0;
 }
 
 io::Picture Film::picture(const Layers &layers, double unit, double length) const {
@@ -63,32 +122,28 @@ io::Picture Film::picture(const Layers &layers, double unit, double length) cons
     layer(layers.steps, {"walk.steps"});
     picture.pixels.reserve(picture.channels.size() * crop.width() * crop.height());
 
+    std::vector<double> values(std::size_t(planes) * 4); // means
     for (std::uint32_t y = 0; y < crop.height(); ++y)
         for (std::uint32_t x = 0; x < crop.width(); ++x) {
             const std::uint32_t pixel = tile_index(x, y);
-            const double *sum = sums.data() + std::size_t(pixel) * planes * 4;
-            const double n = samples[pixel], scale = n > 0 ? 1 / n : 0;
-            const double hits = sum[3]; // samples that met geometry: depth is their mean
+            for (std::uint32_t i = 0; i < planes * 4; ++i) values[i] = mean(pixel, i);
+            const double hits = values[3]; // share of the samples that met geometry: depth is their mean
             const auto put = [&](double value) { picture.pixels.push_back(float(value)); };
-            for (int c = 0; c < 3; ++c) put(sum[c] * scale * unit);
-            put(sum[3] * scale);
-            const double *square = sum + 4 * FILM_SQUARE;
-            const double *albedo = sum + 4 * FILM_PLANES, *normal = albedo + 4;
-            const double *orders = sum + 4 * (FILM_PLANES + (layers.surface() ? FILM_SURFACE_PLANES : 0));
+            for (int c = 0; c < 3; ++c) put(values[c] * unit);
+            put(hits);
+            const double *albedo = values.data() + 4 * FILM_PLANES, *normal = albedo + 4;
+            const double *orders = values.data() + 4 * (FILM_PLANES + (layers.surface() ? FILM_SURFACE_PLANES : 0));
             if (layers.albedo)
-                for (int c = 0; c < 3; ++c) put(albedo[c] * scale);
+                for (int c = 0; c < 3; ++c) put(albedo[c]);
             if (layers.normal)
-                for (int c = 0; c < 3; ++c) put(normal[c] * scale);
+                for (int c = 0; c < 3; ++c) put(normal[c]);
             if (layers.depth) put(hits > 0 ? albedo[3] / hits * length : 0);
-            if (layers.variance) // of the mean, from the samples' own spread; 0 where it cannot be known
-                for (int c = 0; c < 3; ++c) {
-                    const double mean = sum[c] * scale;
-                    put(n > 1 ? std::max(0.0, square[c] * scale - mean * mean) / (n - 1) * unit * unit : 0);
-                }
-            if (layers.samples) put(n);
+            if (layers.variance)
+                for (std::uint32_t c = 0; c < 3; ++c) put(variance(pixel, c) * unit * unit);
+            if (layers.samples) put(samples_of(pixel));
             const bool wanted[] = {layers.zero, layers.single, layers.multiple};
             for (int order = 0; order < FILM_SCATTER_PLANES; ++order)
-                for (int c = 0; c < 3 && wanted[order]; ++c) put(orders[4 * order + c] * scale * unit);
+                for (int c = 0; c < 3 && wanted[order]; ++c) put(orders[4 * order + c] * unit);
             if (layers.steps) put(orders[3] > 0 ? orders[7] / orders[3] : 0); // scatters by walks
         }
     return picture;

@@ -21,16 +21,20 @@ struct Layers {
 };
 
 /// Sums over all samples of every pixel, in double, in units of the device's film. Pixels are in tile order
-/// (shared/path.h).
+/// (shared/path.h). An adaptive render's film has two halves of samples, and its picture is the mean of both halves'
+/// means, however many samples each has: allocation.h says why.
 class Film {
   public:
-    Film(const Crop &crop, std::uint32_t planes);
+    Film(const Crop &crop, std::uint32_t planes, std::uint32_t halves = 1);
 
     /// Tile-ordered pixels, those of the last tiles that are beyond the crop's edge included.
     std::uint32_t pixels() const { return count; }
 
     /// Adds a block's sums (planes x float4 per pixel) as they come from the device.
     void add(const std::vector<shared::float4> &block);
+
+    /// The same for one tile of the first or second half (0, 1), whose pixels have `more` samples each.
+    void add_tile(std::uint32_t tile, std::uint32_t half, const shared::float4 *block, const std::uint32_t *more);
 
     /// Says that pixels [first, first + count) have `samples` more.
     void count_samples(std::uint32_t first, std::uint32_t count, std::uint32_t samples);
@@ -41,13 +45,19 @@ class Film {
 
     std::uint64_t total_samples() const;
 
+    /// The root of the mean variance over the mean, of the pixels that are not black. 0: it is not known.
+    double relative_error() const;
+
   private:
     Crop crop;
-    std::uint32_t planes, columns, count;
-    std::vector<double> sums; // planes * 4 per pixel
-    std::vector<std::uint32_t> samples;
+    std::uint32_t planes, columns, count, halves;
+    std::vector<double> sums;           // by half and pixel, planes * 4 each
+    std::vector<std::uint32_t> samples; // by half and pixel
 
     std::uint32_t tile_index(std::uint32_t x, std::uint32_t y) const;
+    std::uint32_t samples_of(std::uint32_t pixel) const;
+    double mean(std::uint32_t pixel, std::uint32_t value) const;
+    double variance(std::uint32_t pixel, std::uint32_t channel) const;
 };
 
 } // namespace nacre::render

@@ -3,6 +3,7 @@
 #include "device/cache.h"
 #include "device/error.h"
 #include "device/kernel_info.h"
+#include "render/allocation.h"
 #include "render/layout.h"
 #include "render/light_sides.h"
 #include "render/tracer.h"
@@ -20,14 +21,18 @@ double since(Clock::time_point start) { return std::chrono::duration<double>(Clo
 
 // A launch should take about this long: progress and Ctrl-C answer, watchdogs of GPUs do not bite.
 constexpr double launch_seconds = 0.1;
+constexpr std::uint32_t samples_at_once = 16; // of a pixel: neighbouring paths meet the same geometry
 constexpr std::uint32_t smallest_batch = 64, first_batch = 4096, largest_batch = 1 << 18;
+
+std::uint32_t halves_of(const Options &options) { return options.error > 0 ? 2 : 1; }
 
 /// The part of the image to render. Throws Error{Exit::device} if the device cannot hold its film in one buffer.
 Crop crop_that_fits(const Options &options, const scene::Scene &scene, const device::Device &device) {
     Crop crop = options.crop;
     if (crop.x1 == 0) crop = {0, 0, std::uint32_t(scene.image.width), std::uint32_t(scene.image.height)};
     const std::uint64_t columns = (crop.width() + TILE - 1) / TILE, rows = (crop.height() + TILE - 1) / TILE;
-    const std::uint64_t bytes = columns * rows * TILE * TILE * options.layers.planes() * sizeof(float4);
+    const std::uint64_t bytes =
+        columns * rows * TILE * TILE * options.layers.planes() * sizeof(float4) * halves_of(options);
     const std::uint64_t limit = device.info.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     if (bytes > limit)
         throw Error(
@@ -60,6 +65,7 @@ struct Session::Impl {
     DeviceScene scene;
     device::Program program;
     Film film;
+    double target, until; // Options::error, Options::seconds
     Timeline *timeline;
     device::Recorder recorder;
     std::unique_ptr<Tracer> tracer;
@@ -69,9 +75,9 @@ struct Session::Impl {
 
     Impl(device::Device opened, const scene::Scene &source, const Options &options)
         : device(with_lanes(std::move(opened), source.lanes)), layers(options.layers),
-          crop(crop_that_fits(options, source, device)), film(crop, layers.planes()), timeline(options.timeline),
-          recorder(timeline), full_width(std::uint32_t(source.image.width)),
-          full_height(std::uint32_t(source.image.height)) {
+          crop(crop_that_fits(options, source, device)), film(crop, layers.planes(), halves_of(options)),
+          target(options.error), until(options.seconds), timeline(options.timeline), recorder(timeline),
+          full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
         scene = upload(device, source, scene::features(source, layers.surface(), layers.scatter()), crop, timeline);
         const std::uint32_t features = scene.frame.features; // with those that only the geometry shows
         device::Variant variant;
@@ -80,13 +86,14 @@ struct Session::Impl {
         variant.bvh_stack = scene.bvh_stack;
         variant.lanes = device.quirks.lanes;
         variant.profile = options.profile;
+        variant.tile_list = target > 0;
         {
             const Span span(timeline, "compile");
             program = device::build(device, variant);
         }
-        tracer = std::make_unique<Tracer>(device, program, scene, layers, film.pixels(),
+        tracer = std::make_unique<Tracer>(device, program, variant, scene, layers, film.pixels() * halves_of(options),
                                           std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)),
-                                          options.profile, recorder);
+                                          recorder);
         // Last: Oclgrind takes a buffer that comes in the place of a released one to be initialised no further than
         // that was.
         check_layout(device, program, recorder);
@@ -103,13 +110,13 @@ struct Session::Impl {
         for (const auto &entry : tracer->memory()) statistics.memory.push_back(entry);
     }
 
-    /// Traces samples [first, first + count) of pixels [begin, ...) in one launch; returns how many pixels it took.
-    std::uint32_t trace_some(std::uint32_t begin, std::uint32_t first, std::uint32_t count) {
+    /// Traces samples [first, first + count) of pixels [begin, ...) of `all` in one launch; returns how many it took.
+    std::uint32_t trace_some(std::uint32_t begin, std::uint32_t all, std::uint32_t first, std::uint32_t count) {
         for (;;) {
             // Whole tiles where possible: they are what is close together.
             std::uint32_t pixels = std::max(1u, batch_size / count);
             if (pixels > TILE * TILE) pixels -= pixels % (TILE * TILE);
-            pixels = std::min(pixels, film.pixels() - begin);
+            pixels = std::min(pixels, all - begin);
             try {
                 const Clock::time_point launched = Clock::now();
                 statistics.sampling += tracer->trace({begin, pixels, first, count, 0, 0, 0, 0});
@@ -119,7 +126,6 @@ struct Session::Impl {
                 } else {
                     adapt(since(launched), pixels * count);
                 }
-                film.count_samples(begin, pixels, count);
                 return pixels;
             } catch (const cl::Error &error) {
                 if (!device::is_out_of_resources(error) || batch_size <= smallest_batch) throw;
@@ -134,37 +140,86 @@ struct Session::Impl {
         batch_size = std::uint32_t(std::clamp(wanted, double(smallest_batch), double(largest_batch)));
     }
 
+    /// Who is told how far a render is, and may end it.
+    struct Run {
+        const std::function<void(const Progress &)> &report;
+        const std::atomic<bool> *stop;
+        Clock::time_point began = Clock::now();
+        Progress progress{};
+        bool ended = false; // by `stop` or because the time is over
+        bool stopped() const { return stop && stop->load(); }
+    };
+
+    void advance(Run &run, std::uint64_t paths) {
+        const double inside = double(crop.width()) * crop.height() / film.pixels(); // share of pixels in the crop
+        run.progress.samples += std::uint64_t(inside * double(paths));
+        tracer->take_counters(statistics);
+        run.progress.seconds = since(run.began);
+        run.progress.sampling = statistics.sampling;
+        run.progress.until = until;
+        run.progress.rays = statistics.rays();
+        if (run.report) run.report(run.progress);
+        run.ended = run.stopped() || (until > 0 && statistics.sampling >= until);
+    }
+
     bool render(std::uint32_t spp, const std::function<void(const Progress &)> &report, const std::atomic<bool> *stop) {
         const Span span(timeline, "render");
-        const Clock::time_point began = Clock::now();
-        const double inside =
-            double(crop.width()) * crop.height() / film.pixels(); // share of pixels that are in the crop
-        Progress progress;
-        progress.wanted = std::uint64_t(spp) * crop.width() * crop.height();
-        bool stopped = false;
-        for (std::uint32_t sample = 0; sample < spp && !stopped;) {
-            // A first look soon, then more samples at once: neighbouring paths meet the same geometry. Never across a
-            // block.
+        Run run{report, stop};
+        if (target > 0)
+            render_adaptive(spp, run);
+        else
+            render_evenly(spp, run);
+        recorder.settle();
+        return !run.stopped();
+    }
+
+    void render_evenly(std::uint32_t spp, Run &run) {
+        run.progress.wanted = std::uint64_t(spp) * crop.width() * crop.height();
+        for (std::uint32_t sample = 0; sample < spp && !run.ended;) {
+            // A first look soon, then more samples at once. Never across a block.
             const std::uint32_t in_block = sample % FILM_BLOCK;
             const std::uint32_t count =
-                std::min({spp - sample, FILM_BLOCK - in_block, in_block == 0 ? sample == 0 ? 1u : 16u : in_block, 16u});
-            for (std::uint32_t pixel = 0; pixel < film.pixels() && !stopped;) {
-                const std::uint32_t taken = trace_some(pixel, sample, count);
-                pixel += taken;
-                progress.samples += std::uint64_t(inside * taken * count);
-                tracer->take_counters(statistics);
-                progress.seconds = since(began);
-                progress.sampling = statistics.sampling;
-                progress.rays = statistics.rays();
-                if (report) report(progress);
-                stopped = stop && stop->load();
+                std::min({spp - sample, FILM_BLOCK - in_block,
+                          in_block == 0 ? sample == 0 ? 1u : samples_at_once : in_block, samples_at_once});
+            for (std::uint32_t pixel = 0; pixel < film.pixels() && !run.ended;) {
+                const std::uint32_t pixels = trace_some(pixel, film.pixels(), sample, count);
+                film.count_samples(pixel, pixels, count);
+                pixel += pixels;
+                advance(run, std::uint64_t(pixels) * count);
+                if (pixel == film.pixels()) taken = sample + count;
             }
             sample += count;
-            if (!stopped) taken = sample;
-            if (stopped || sample == spp || sample % FILM_BLOCK == 0) film.add(tracer->take_film());
+            if (run.ended || sample == spp || sample % FILM_BLOCK == 0) film.add(tracer->take_film(film.pixels()));
         }
-        recorder.settle();
-        return !stopped;
+    }
+
+    void render_adaptive(std::uint32_t spp, Run &run) {
+        const double inside = double(crop.width()) * crop.height() / film.pixels();
+        Allocation allocation(crop, layers.planes(), target, std::max(1u, spp / 2));
+        while (!allocation.list().empty() && !run.ended) {
+            const std::vector<std::uint32_t> &list = allocation.list();
+            const auto pixels = std::uint32_t(list.size() * TILE * TILE);
+            tracer->list_tiles(list);
+            run.progress.wanted = std::uint64_t(inside * double(allocation.expected()));
+            std::vector<std::uint32_t> counts(pixels);
+            for (std::uint32_t sample = allocation.first(); sample < allocation.end() && !run.ended;) {
+                const std::uint32_t count = std::min(allocation.end() - sample, samples_at_once);
+                for (std::uint32_t pixel = 0; pixel < pixels && !run.ended;) {
+                    const std::uint32_t some = trace_some(pixel, pixels, sample, count);
+                    for (std::uint32_t i = pixel; i < pixel + some; ++i) counts[i] += count;
+                    pixel += some;
+                    advance(run, std::uint64_t(some) * count);
+                }
+                sample += count;
+            }
+            const std::vector<float4> sums = tracer->take_film(pixels);
+            for (std::size_t i = 0; i < list.size(); ++i)
+                if (allocation.shown(list[i]))
+                    film.add_tile(list[i] & ~SECOND_HALF, list[i] & SECOND_HALF ? 1 : 0,
+                                  sums.data() + i * TILE * TILE * layers.planes(), counts.data() + i * TILE * TILE);
+            if (!run.ended) allocation.add(sums);
+        }
+        statistics.adaptive = {target, film.relative_error(), allocation.converged(), film.total_samples()};
     }
 };
 
@@ -196,7 +251,8 @@ io::Picture Session::picture() const {
                         {"kernel", impl->program.hash},
                         {"device", impl->device.info.name},
                         {"seed", std::to_string(impl->scene.frame.seed)},
-                        {"samples", fmt::format("0:{}", impl->taken)},
+                        {"samples", impl->target > 0 ? fmt::format("adaptive, error {}", impl->target)
+                                                     : fmt::format("0:{}", impl->taken)},
                         {"features", fmt::format("{}", fmt::join(impl->statistics.features, " "))},
                         {"seconds", fmt::format("{:.3f}", impl->statistics.sampling)}};
     return picture;
@@ -204,7 +260,7 @@ io::Picture Session::picture() const {
 
 Statistics Session::statistics() const {
     Statistics statistics = impl->statistics;
-    statistics.samples = impl->film.total_samples();
+    statistics.samples = impl->target > 0 ? statistics[COUNTER_paths] : impl->film.total_samples();
     statistics.total = since(impl->start);
     statistics.startup.code_generation = impl->recorder.code_generation();
     for (const device::KernelInfo &info : device::kernel_infos(impl->device, impl->program)) {

@@ -25,6 +25,10 @@ std::vector<std::string> Statistics::remarks() const {
             "{} samples were NaN or infinite and are black; the first at pixel {}, {}, sample {}, vertex "
             "{}, step {} (--strict makes this an error)",
             counters[COUNTER_non_finite], bad_pixel_x, bad_pixel_y, bad_sample, bad_step >> 24, bad_step & 0xffffff));
+    if (adaptive && adaptive->converged < 1)
+        lines.push_back(
+            fmt::format("{:.3g} % of the picture did not come to an error of {:.3g} %; more --spp or --time",
+                        100 * (1 - adaptive->converged), 100 * adaptive->target));
     if (counters[COUNTER_escaped] > 0)
         lines.push_back(
             fmt::format("{:.3g} % of the walks left through holes of open meshes and are lost; `nacre check` names "

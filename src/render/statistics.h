@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,14 @@ struct Statistics {
         double seconds = 0; // of all launches
     };
     std::vector<Kernel> kernels;
+
+    /// Of an adaptive render.
+    struct Adaptive {
+        double target = 0, reached = 0; // relative error: allocation.h, Film::relative_error
+        double converged = 0;           // share of the tiles that reach the target within the most samples allowed
+        std::uint64_t shown = 0;        // of the samples, those in the picture; the others only helped to decide
+    };
+    std::optional<Adaptive> adaptive;
 
     bool profiled = false; // `profile` has been counted
     Profile profile;

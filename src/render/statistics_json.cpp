@@ -84,6 +84,11 @@ std::string Statistics::json() const {
     document["total_s"] = total;
     document["startup"] = startup_json(startup);
     document["samples"] = samples;
+    if (adaptive)
+        document["adaptive"] = {{"target", adaptive->target},
+                                {"error", adaptive->reached},
+                                {"converged", adaptive->converged},
+                                {"shown_samples", adaptive->shown}};
     document["device"] = device;
     document["generic"] = generic;
     document["options"] = program_options;

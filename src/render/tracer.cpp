@@ -22,17 +22,18 @@ cl::Buffer make(const device::Device &device, std::size_t bytes) {
 
 } // namespace
 
-Tracer::Tracer(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-               const Layers &kept, std::uint32_t film_pixels, std::uint32_t capacity, bool profile,
+Tracer::Tracer(const device::Device &device, const device::Program &program, const device::Variant &variant,
+               const DeviceScene &scene, const Layers &kept, std::uint32_t film_pixels, std::uint32_t capacity,
                device::Recorder &recorder)
     : device(device), recorder(recorder), trace_kernel(program.program, "trace_paths"),
       accumulate_kernel(program.program, "accumulate"),
       workers(device.quirks.lanes > 1 ? device.info.compute_units : 0),
-      suspended_capacity(room_for_suspended(device, workers, scene.frame.features, capacity)),
-      counted(profile ? PROFILE_WORDS : COUNTER_WORDS) {
+      suspended_capacity(room_for_suspended(device, workers, scene.frame.features, capacity)), planes(kept.planes()),
+      counted(variant.profile ? PROFILE_WORDS : COUNTER_WORDS) {
     radiance_bytes = std::size_t(capacity) * sizeof(float4);
     layer_bytes = kept.kept() * radiance_bytes;
-    film_bytes = std::size_t(film_pixels) * kept.planes() * sizeof(float4);
+    film_bytes = std::size_t(film_pixels) * planes * sizeof(float4);
+    list_bytes = variant.tile_list ? film_pixels / (TILE * TILE) * sizeof(uint) : 0;
     path_bytes = std::size_t(suspended_capacity) * sizeof(Path);
     pool_bytes = std::size_t(workers) * POOL_PATHS * sizeof(Path);
     radiance = make(device, radiance_bytes);
@@ -41,7 +42,8 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     counters = make(device, counted.size() * sizeof(uint));
     pool = make(device, pool_bytes);
     for (cl::Buffer &buffer : paths) buffer = make(device, path_bytes);
-    clear_film();
+    list = make(device, list_bytes);
+    clear_film(film_bytes);
     scene_arguments = scene.bind(trace_kernel);
     trace_kernel.setArg(scene_arguments + 1, radiance);
     trace_kernel.setArg(scene_arguments + 2, layers);
@@ -51,7 +53,16 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     accumulate_kernel.setArg(scene_arguments + 1, radiance);
     accumulate_kernel.setArg(scene_arguments + 2, layers);
     accumulate_kernel.setArg(scene_arguments + 3, film);
-    accumulate_kernel.setArg(scene_arguments + 4, kept.planes());
+    accumulate_kernel.setArg(scene_arguments + 4, planes);
+    if (variant.tile_list) {
+        trace_kernel.setArg(scene_arguments + 7, list);
+        accumulate_kernel.setArg(scene_arguments + 5, list);
+    }
+}
+
+void Tracer::list_tiles(const std::vector<uint> &tiles) {
+    device.queue.enqueueWriteBuffer(list, true, 0, tiles.size() * sizeof(uint), tiles.data(), nullptr,
+                                    recorder.copy("list tiles"));
 }
 
 double Tracer::launch(cl::Kernel &kernel, std::size_t items) {
@@ -88,18 +99,19 @@ double Tracer::trace(Batch batch) {
     return seconds + launch(accumulate_kernel, batch.pixel_count);
 }
 
-std::vector<float4> Tracer::take_film() {
-    std::vector<float4> sums(film_bytes / sizeof(float4));
-    device.queue.enqueueReadBuffer(film, true, 0, film_bytes, sums.data(), nullptr, recorder.copy("read film"));
-    clear_film();
+std::vector<float4> Tracer::take_film(std::uint32_t pixels) {
+    std::vector<float4> sums(std::size_t(pixels) * planes);
+    const std::size_t bytes = sums.size() * sizeof(float4);
+    device.queue.enqueueReadBuffer(film, true, 0, bytes, sums.data(), nullptr, recorder.copy("read film"));
+    clear_film(bytes);
     return sums;
 }
 
-void Tracer::clear_film() {
+void Tracer::clear_film(std::size_t bytes) {
     // Like the counters, a whole buffer in one write: Oclgrind takes one that was filled, or written in part, for
-    // uninitialised.
-    const std::vector<float4> black(film_bytes / sizeof(float4));
-    device.queue.enqueueWriteBuffer(film, true, 0, film_bytes, black.data(), nullptr, recorder.copy("clear film"));
+    // uninitialised. (What a list does not use stays clear.)
+    const std::vector<float4> black(bytes / sizeof(float4));
+    device.queue.enqueueWriteBuffer(film, true, 0, bytes, black.data(), nullptr, recorder.copy("clear film"));
 }
 
 void Tracer::take_counters(Statistics &statistics) {
@@ -116,11 +128,8 @@ void Tracer::take_counters(Statistics &statistics) {
 }
 
 std::vector<std::pair<std::string, std::size_t>> Tracer::memory() const {
-    return {{"radiance", radiance_bytes},
-            {"layers", layer_bytes},
-            {"film", film_bytes},
-            {"paths", 2 * path_bytes},
-            {"pool", pool_bytes}};
+    return {{"radiance", radiance_bytes}, {"layers", layer_bytes}, {"film", film_bytes},
+            {"paths", 2 * path_bytes},    {"pool", pool_bytes},    {"tile list", list_bytes}};
 }
 
 } // namespace nacre::render

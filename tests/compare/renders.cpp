@@ -39,6 +39,18 @@ TEST(Renders, OnePercentOfGIsFound) {
     EXPECT_FALSE(same.different()) << same.p;
 }
 
+// An adaptive render is of the same light as one that is not, in every pixel and tile.
+TEST(Renders, AdaptiveShowsTheSame) {
+    render::Options options;
+    options.layers.variance = options.layers.samples = true;
+    options.error = 0.03;
+    const compare::Estimate even = shown(wax(0.8, 64, 256, 1));
+    const compare::Estimate adaptive =
+        compare::estimate_of(rendered(wax(0.8, 64, 4096, 2), options).picture, "an adaptive render");
+    const compare::Verdict verdict = compare::test(adaptive, even, 1e-3);
+    EXPECT_FALSE(verdict.different()) << verdict.p;
+}
+
 /// A ball of skin and its floor, close up, with highlights and shadows' edges: `side` x `side` pixels.
 scene::Scene skin(int side, std::uint32_t spp, std::uint32_t seed) {
     scene::Scene scene = io::load_scene(NACRE_SCENES "/features/skin.json", {{"camera.fov", "18"}});

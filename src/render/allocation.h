@@ -1,0 +1,63 @@
+#pragma once
+#include "render/upload.h"
+#include "shared/path.h"
+#include <array>
+#include <cstdint>
+#include <vector>
+
+// Which tiles of an adaptive render get how many samples.
+//
+// A pixel has two halves of samples with independent scramblings, and its value is the mean of both halves' means. A
+// sample count that depends on the samples themselves biases a mean (Kirk & Arvo 1991, "Unbiased Sampling Techniques
+// for Image Synthesis"): whoever has not met the rare bright paths yet stops, and stays too dark. So the first half
+// decides how many samples the second half gets, and the reverse: given the other half, a half's count is a fixed
+// number, and its mean is unbiased, and so is the mean of both. Kirk and Arvo throw their pilot samples away; here each
+// half is the other's pilot, and what is lost is only what a half needed to decide beyond what it was told to give.
+//
+// Decisions are for whole tiles, whose 64 pixels together know their variance, after FIRST_LOOK samples of a half, then
+// FILM_BLOCK, then at every doubling: a final number if the next decision would come too late, else to go on.
+namespace nacre::render {
+
+/// Samples of a half before the first decision.
+constexpr std::uint32_t FIRST_LOOK = 16;
+
+class Allocation {
+  public:
+    /// `target`: relative error, see relative_need. `most`: samples of a half, at least 1.
+    Allocation(const Crop &crop, std::uint32_t planes, double target, std::uint32_t most);
+
+    /// What gets samples [first(), end()) next, as the kernels take it: tiles, those of the second half with
+    /// SECOND_HALF. Empty: all have theirs.
+    const std::vector<std::uint32_t> &list() const { return entries; }
+    std::uint32_t first() const { return taken; }
+    std::uint32_t end() const;
+
+    /// Whether these samples of an entry are the picture's. False: they only help to decide.
+    bool shown(std::uint32_t entry) const;
+
+    /// Takes the film's sums of what was asked for (in the list's order) and decides what comes next.
+    void add(const std::vector<shared::float4> &sums);
+
+    /// Samples that there will be in all, as far as it can be known; pixels beyond the crop's edge count.
+    std::uint64_t expected() const;
+
+    /// Share of all tiles that reach the target, or are expected to, with at most `most` samples of each half.
+    double converged() const;
+
+  private:
+    struct Half {                // of a tile
+        std::uint32_t final = 0; // number of samples that the other half's say it is to have; 0: not decided yet
+        double need = 0;         // the same before it is cut off or rounded
+    };
+    std::uint32_t planes, most, taken = 0;
+    double target;
+    std::vector<Half> halves;                // 2 per tile
+    std::vector<std::array<double, 4>> sums; // by half and pixel: r, g, b, and the sum of their squares
+    std::vector<std::uint32_t> entries;
+    std::array<double, 2> level{}; // mean of the lit pixels by the first look of each half
+
+    void begin();
+    void look(std::uint32_t deciding);
+};
+
+} // namespace nacre::render

@@ -1,0 +1,140 @@
+// Which tiles get more samples, on samples made up here: that deciding by the other half does not bias the picture,
+// that deciding by one's own would, and that what is asked for is what is needed.
+#include "render/allocation.h"
+#include "render/film.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace nacre::render {
+namespace {
+
+using namespace shared;
+
+constexpr std::uint32_t pixels = TILE * TILE, planes = FILM_PLANES;
+
+/// Grey samples: `base`, and now and then `bright`.
+struct Source {
+    double base = 0.1, bright = 0, chance = 0;
+    double mean() const { return base + chance * bright; }
+
+    /// Sums of samples [first, end) of a tile's half: always the same ones.
+    std::vector<float4> sums(std::uint32_t seed, std::uint32_t entry, std::uint32_t first, std::uint32_t end) const {
+        std::seed_seq words{seed, entry, first};
+        std::mt19937 random(words);
+        std::binomial_distribution<int> events(int(end - first), chance);
+        std::vector<float4> block(pixels * planes);
+        for (std::uint32_t i = 0; i < pixels; ++i) {
+            const double n = end - first, k = chance > 0 ? events(random) : 0;
+            const auto sum = float(n * base + k * bright);
+            const auto square = float((n - k) * base * base + k * (base + bright) * (base + bright));
+            block[i * planes + FILM_RADIANCE] = {sum, sum, sum, float(n)};
+            block[i * planes + FILM_SQUARE] = {square, square, square, 0};
+        }
+        return block;
+    }
+};
+
+struct Taken {
+    double mean = 0;
+    std::uint64_t shown = 0, all = 0;
+    double converged = 0;
+    std::vector<float> samples;
+};
+
+/// Renders a row of tiles, one for each source. `own`: every half decides for itself, which is what must not be done.
+Taken render(const std::vector<Source> &tiles, double target, std::uint32_t most, std::uint32_t seed,
+             bool own = false) {
+    const Crop crop{0, 0, std::uint32_t(tiles.size()) * TILE, TILE};
+    Film film(crop, planes, 2);
+    Allocation allocation(crop, planes, target, most);
+    Taken taken;
+    while (!allocation.list().empty()) {
+        std::vector<float4> deciding;
+        const std::uint32_t first = allocation.first(), end = allocation.end();
+        for (const std::uint32_t entry : allocation.list()) {
+            const std::uint32_t tile = entry & ~SECOND_HALF;
+            const std::vector<float4> block = tiles[tile].sums(seed, entry, first, end);
+            if (allocation.shown(entry))
+                film.add_tile(tile, entry & SECOND_HALF ? 1 : 0, block.data(),
+                              std::vector<std::uint32_t>(pixels, end - first).data());
+            const std::vector<float4> other = tiles[tile].sums(seed, entry ^ SECOND_HALF, first, end);
+            deciding.insert(deciding.end(), (own ? other : block).begin(), (own ? other : block).end());
+            taken.all += pixels * (end - first);
+        }
+        allocation.add(deciding);
+    }
+    Layers layers;
+    layers.samples = true;
+    const io::Picture picture = film.picture(layers, 1, 1);
+    for (std::size_t i = 0; i < picture.pixels.size(); i += picture.channels.size()) {
+        taken.mean += picture.pixels[i] / double(pixels * tiles.size());
+        taken.samples.push_back(picture.pixels[i + picture.channels.size() - 1]);
+    }
+    taken.shown = film.total_samples();
+    taken.converged = allocation.converged();
+    return taken;
+}
+
+/// How many standard errors the mean over 1,024 pictures of one tile is off.
+double bias(const Source &source, double target, bool own) {
+    constexpr int seeds = 1024;
+    double sum = 0, squares = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        const double off = render({source}, target, 1024, std::uint32_t(seed), own).mean - source.mean();
+        sum += off;
+        squares += off * off;
+    }
+    return sum / std::sqrt(std::max(1e-300, squares - sum * sum / seeds));
+}
+
+// A third of the halves do not meet the bright paths in the first look.
+TEST(Allocation, RareBrightPathsAreNotBiased) {
+    const Source source{0.1, 100, 1e-3};
+    for (const double target : {0.3, 0.7}) EXPECT_LT(std::abs(bias(source, target, false)), 4) << target;
+}
+
+// The same test finds what a half's own decision does: it has power.
+TEST(Allocation, OwnDecisionsWouldBias) { EXPECT_LT(bias({0.1, 100, 1e-3}, 0.7, true), -8); }
+
+// Grey samples of variance s and mean m need s / (2 (target m)^2) in each half; where they are rare enough to be
+// normal.
+TEST(Allocation, TakesWhatIsNeeded) {
+    const Source noisy{0, 1, 0.5}; // variance 1/4, mean 1/2: 1 / target^2 samples
+    for (const double target : {0.2, 0.1, 0.05}) {
+        const Taken taken = render({noisy}, target, 1 << 16, 1);
+        const double wanted = std::max(2.0 * FIRST_LOOK, 1 / (target * target));
+        EXPECT_NEAR(taken.samples[0], wanted, std::max(16.0, 0.3 * wanted)) << target;
+        EXPECT_EQ(taken.converged, 1);
+        EXPECT_LE(double(taken.all), 1.3 * double(taken.shown) + 1);
+    }
+}
+
+TEST(Allocation, NoiseIsRelativeToTheRootOfBrightness) {
+    const Source bright{0, 1, 0.5}, dark{0, 0.01, 0.5}; // of the same relative noise
+    const Taken taken = render({bright, dark}, 0.02, 1 << 16, 1);
+    // Half the picture's mean is the bright tile's: level 0.2525; needs 0.25 / (2 e^2 0.5 0.2525) and 1/100 of it.
+    EXPECT_NEAR(taken.samples.front(), 0.25 / (4e-4 * 0.5 * 0.2525), 192);
+    EXPECT_EQ(taken.samples[TILE], 2 * FIRST_LOOK + 32) << "50 are needed";
+}
+
+TEST(Allocation, QuietTilesAreLeftAtTheFirstLook) {
+    const Taken taken = render({{0.5, 0, 0}, {0, 1, 0.5}, {0, 0, 0}}, 0.02, 4096, 1);
+    EXPECT_EQ(taken.samples[0], 2 * FIRST_LOOK);
+    EXPECT_GT(taken.samples[TILE], 1024);
+    EXPECT_EQ(taken.samples[2 * TILE], 2 * FIRST_LOOK) << "a black tile";
+}
+
+TEST(Allocation, NoMoreThanTheMost) {
+    for (const std::uint32_t most : {1u, 2u, 16u, 17u, 100u, 128u}) {
+        const Taken taken = render({{0.1, 1, 0.5}, {0.5, 0, 0}}, 1e-3, most, 1);
+        EXPECT_EQ(taken.samples[0], 2 * most);
+        EXPECT_EQ(taken.samples[TILE], 2 * std::min(most, FIRST_LOOK));
+        if (most > 1) { // one sample has no spread
+            EXPECT_EQ(taken.converged, 0.5) << most;
+        }
+    }
+}
+
+} // namespace
+} // namespace nacre::render
