@@ -9,8 +9,10 @@ using namespace shared;
 
 constexpr std::uint32_t tile_pixels = TILE * TILE;
 
-/// Samples are taken and counted in steps that keep the film's blocks whole.
-std::uint32_t step_at(std::uint32_t samples) { return samples < FILM_BLOCK ? FIRST_LOOK : FILM_BLOCK; }
+/// Where samples are counted after so many: the film's blocks stay whole.
+std::uint32_t step_after(std::uint32_t samples) {
+    return samples < FIRST_LOOK ? FIRST_LOOK : FILM_BLOCK - samples % FILM_BLOCK;
+}
 
 bool decides_at(std::uint32_t samples) {
     return samples == FIRST_LOOK || (samples >= FILM_BLOCK && (samples & (samples - 1)) == 0);
@@ -24,6 +26,12 @@ std::size_t half_of(std::uint32_t entry) {
 /// Sums over the lit pixels of a tile. Dark ones are left out, as they are in the error that a picture is said to have.
 struct Lit {
     double mean = 0, variance = 0, count = 0; // over pixels and channels; variance: of one sample
+    Lit &operator+=(const Lit &more) {
+        mean += more.mean;
+        variance += more.variance;
+        count += more.count;
+        return *this;
+    }
 };
 
 Lit lit_of(const std::array<double, 4> *pixels, double n) {
@@ -49,14 +57,14 @@ double relative_need(const Lit &lit, double level, double target) {
 } // namespace
 
 Allocation::Allocation(const Crop &crop, std::uint32_t planes, double target, std::uint32_t most)
-    : planes(planes), most(most), target(target) {
-    const std::uint32_t columns = (crop.width() + TILE - 1) / TILE, rows = (crop.height() + TILE - 1) / TILE;
+    : planes(planes), most(most), columns((crop.width() + TILE - 1) / TILE), rows((crop.height() + TILE - 1) / TILE),
+      target(target) {
     halves.resize(2 * std::size_t(columns) * rows);
     sums.resize(halves.size() * tile_pixels);
     begin();
 }
 
-std::uint32_t Allocation::end() const { return std::min(most, taken + step_at(taken)); }
+std::uint32_t Allocation::end() const { return std::min(most, taken + step_after(taken)); }
 
 bool Allocation::shown(std::uint32_t entry) const {
     const Half &half = halves[half_of(entry)];
@@ -83,29 +91,42 @@ void Allocation::add(const std::vector<float4> &film) {
         }
     }
     taken = end();
-    if (decides_at(taken) || taken == most)
-        for (const std::uint32_t deciding : {0u, 1u}) look(deciding);
+    for (const std::uint32_t deciding : {0u, 1u}) {
+        if (taken == std::min(FIRST_LOOK, most)) first_look(deciding);
+        if (decides_at(taken) || taken == most) look(deciding);
+    }
     begin();
 }
 
-void Allocation::look(std::uint32_t deciding) {
-    if (level[deciding] == 0) {
-        Lit picture;
-        for (std::size_t i = deciding; i < halves.size(); i += 2) {
-            const Lit tile = lit_of(sums.data() + i * tile_pixels, taken);
-            picture.mean += tile.mean;
-            picture.count += tile.count;
-        }
-        level[deciding] = picture.count > 0 ? picture.mean / picture.count : 0;
+void Allocation::first_look(std::uint32_t deciding) {
+    std::vector<Lit> tiles(halves.size() / 2);
+    Lit picture;
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+        tiles[tile] = lit_of(sums.data() + (2 * tile + deciding) * tile_pixels, taken);
+        picture += tiles[tile];
     }
-    const std::uint32_t next = std::min(most, taken < FILM_BLOCK ? FILM_BLOCK : 2 * taken);
+    if (picture.count > 0) level[deciding] = picture.mean / picture.count;
+    for (std::uint32_t tile = 0; tile < tiles.size(); ++tile) {
+        if (tiles[tile].count == 0) continue;
+        Lit around;
+        const std::uint32_t x = tile % columns, y = tile / columns;
+        for (std::uint32_t v = y - (y > 0); v <= std::min(y + 1, rows - 1); ++v)
+            for (std::uint32_t u = x - (x > 0); u <= std::min(x + 1, columns - 1); ++u)
+                around += tiles[v * columns + u];
+        halves[2 * tile + (deciding ^ 1)].least = relative_need(around, level[deciding], target);
+    }
+}
+
+void Allocation::look(std::uint32_t deciding) {
+    const std::uint32_t next = taken == FIRST_LOOK ? taken : 2 * taken;
     for (std::size_t i = deciding; i < halves.size(); i += 2) {
         Half &other = halves[i ^ 1];
         if (other.final > 0) continue;
-        other.need = relative_need(lit_of(sums.data() + i * tile_pixels, taken), level[deciding], target);
+        const double need = relative_need(lit_of(sums.data() + i * tile_pixels, taken), level[deciding], target);
+        other.need = std::max(need, other.least);
         if (other.need > next && next < most) continue;
         std::uint32_t final = taken; // fewer than it has make no sense
-        while (final < other.need && final < most) final = std::min(most, final + step_at(final));
+        while (final < other.need && final < most) final = std::min(most, final + step_after(final));
         other.final = final;
     }
 }

@@ -14,8 +14,10 @@
 // number, and its mean is unbiased, and so is the mean of both. Kirk and Arvo throw their pilot samples away; here each
 // half is the other's pilot, and what is lost is only what a half needed to decide beyond what it was told to give.
 //
-// Decisions are for whole tiles, whose 64 pixels together know their variance, after FIRST_LOOK samples of a half, then
-// FILM_BLOCK, then at every doubling: a final number if the next decision would come too late, else to go on.
+// Decisions are for whole tiles, whose 64 pixels together know their variance, after FIRST_LOOK samples of a half (is
+// it enough?), then FILM_BLOCK, then at every doubling: a final number if the next decision would come too late, else
+// to go on. A tile that met none of the bright paths that its neighbours met is not trusted: it needs at least what the
+// 3 x 3 tiles around it need together by their first look (not a later one: how far they come depends on both halves).
 namespace nacre::render {
 
 /// Samples of a half before the first decision.
@@ -48,8 +50,9 @@ class Allocation {
     struct Half {                // of a tile
         std::uint32_t final = 0; // number of samples that the other half's say it is to have; 0: not decided yet
         double need = 0;         // the same before it is cut off or rounded
+        double least = 0;        // of `need`, by what is around it
     };
-    std::uint32_t planes, most, taken = 0;
+    std::uint32_t planes, most, columns, rows, taken = 0;
     double target;
     std::vector<Half> halves;                // 2 per tile
     std::vector<std::array<double, 4>> sums; // by half and pixel: r, g, b, and the sum of their squares
@@ -57,6 +60,7 @@ class Allocation {
     std::array<double, 2> level{}; // mean of the lit pixels by the first look of each half
 
     void begin();
+    void first_look(std::uint32_t deciding);
     void look(std::uint32_t deciding);
 };
 
