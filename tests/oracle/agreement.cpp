@@ -8,7 +8,7 @@ namespace {
 
 constexpr int tile = 4;
 
-/// A sum of differences and the variance of it.
+/// A sum of differences and its variance.
 struct Sum {
     double difference = 0, variance = 0;
 
@@ -25,38 +25,76 @@ std::size_t layer(const io::Picture &picture, const std::string &name) {
     return std::size_t(found - picture.channels.begin());
 }
 
+/// The variances of a channel, none below the mean of those up to two pixels away: where light comes by rare large
+/// samples a pixel that had none of them believes itself far too exact.
+std::vector<double> pooled(const std::vector<double> &own, int width, int height) {
+    std::vector<double> result = own;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            double sum = 0, count = 0;
+            for (int j = std::max(0, y - 2); j <= std::min(height - 1, y + 2); ++j)
+                for (int i = std::max(0, x - 2); i <= std::min(width - 1, x + 2); ++i, ++count)
+                    sum += own[std::size_t(j * width + i)];
+            double &value = result[std::size_t(y * width + x)];
+            value = std::max(value, sum / count);
+        }
+    return result;
+}
+
+/// One channel of two pictures.
+struct Channel {
+    std::vector<double> found, expected;
+    std::vector<double> variance, safe_variance; // of the difference; the second pooled
+};
+
+Channel channel_of(const io::Picture &picture, const Image &reference, std::size_t c) {
+    Channel channel;
+    std::vector<double> mine, theirs;
+    const std::size_t variance = layer(picture, "variance.R"), channels = picture.channels.size();
+    for (std::size_t pixel = 0; pixel < reference.mean.size() / 3; ++pixel) {
+        channel.found.push_back(picture.pixels[pixel * channels + c]);
+        channel.expected.push_back(reference.mean[3 * pixel + c]);
+        mine.push_back(picture.pixels[pixel * channels + variance + c]);
+        theirs.push_back(reference.variance[3 * pixel + c] + std::pow(2e-6 * channel.expected.back(), 2));
+    }
+    const std::vector<double> my_pool = pooled(mine, reference.width, reference.height);
+    const std::vector<double> their_pool = pooled(theirs, reference.width, reference.height);
+    for (std::size_t pixel = 0; pixel < mine.size(); ++pixel) {
+        channel.variance.push_back(mine[pixel] + theirs[pixel]);
+        channel.safe_variance.push_back(my_pool[pixel] + their_pool[pixel]);
+    }
+    return channel;
+}
+
 } // namespace
 
 Agreement compare(const io::Picture &picture, const Image &reference) {
     Agreement result;
-    const std::size_t variance = layer(picture, "variance.R"), channels = picture.channels.size();
-    const int columns = (picture.width + tile - 1) / tile, rows = (picture.height + tile - 1) / tile;
-    for (int c = 0; c < 3; ++c) {
-        std::vector<Sum> tiles(std::size_t(columns * rows));
+    const int width = reference.width, height = reference.height, columns = (width + tile - 1) / tile;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Channel channel = channel_of(picture, reference, c);
+        std::vector<Sum> tiles(std::size_t(columns * ((height + tile - 1) / tile)));
         Sum whole;
         double total = 0;
-        for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x) {
-                const std::size_t at = std::size_t(y * picture.width + x);
-                const float *found = &picture.pixels[at * channels];
-                const double expected = reference.mean[3 * at + std::size_t(c)];
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const std::size_t at = std::size_t(y * width + x);
+                const double difference = channel.found[at] - channel.expected[at];
                 Sum pixel;
-                pixel.add(found[c] - expected, found[variance + std::size_t(c)] +
-                                                   reference.variance[3 * at + std::size_t(c)] +
-                                                   std::pow(2e-6 * expected, 2));
-                tiles[std::size_t(y / tile * columns + x / tile)].add(pixel.difference, pixel.variance);
-                whole.add(pixel.difference, pixel.variance);
-                total += expected;
+                pixel.add(difference, channel.safe_variance[at]);
+                tiles[std::size_t(y / tile * columns + x / tile)].add(difference, channel.safe_variance[at]);
+                whole.add(difference, channel.variance[at]);
+                total += channel.expected[at];
                 if (pixel.deviations() <= result.pixel) continue;
                 result.pixel = pixel.deviations();
                 result.x = x;
                 result.y = y;
-                result.channel = c;
+                result.channel = int(c);
             }
         for (const Sum &sum : tiles) result.tile = std::max(result.tile, sum.deviations());
-        result.whole[std::size_t(c)] = whole.deviations();
-        result.difference[std::size_t(c)] = whole.difference / total;
-        result.error[std::size_t(c)] = std::sqrt(whole.variance) / total;
+        result.whole[c] = whole.deviations();
+        result.difference[c] = whole.difference / total;
+        result.error[c] = std::sqrt(whole.variance) / total;
     }
     return result;
 }

@@ -12,7 +12,8 @@ void expect_known(const scene::Scene &scene) {
     };
     for (const scene::Object &object : scene.objects) {
         const scene::Material &material = scene.materials[object.material];
-        if (material[PARAMETER_geometry_normal].texture >= 0) refuse("normal maps, as '" + material.name + "' has");
+        if (material[PARAMETER_geometry_normal].texture >= 0 && object.mesh.uvs.empty())
+            refuse("normal map on " + object.name + ", which has no uvs");
         if (!scene::scatters_below(material)) continue;
         if (material.model != MODEL_RANDOM_WALK)
             refuse("subsurface_model but random_walk, for '" + material.name + "'");

@@ -1,5 +1,4 @@
 #include "oracle/reference_lights.h"
-#include "oracle/reference_texture.h"
 #include <limits>
 
 namespace nacre::reference {
@@ -30,9 +29,9 @@ struct Rect {
 };
 
 /// Light that comes along `direction` from `distance` away, if nothing is in the way.
-double arriving(const World &world, const Surface &surface, const Vec3 &side, const Lobe &lobe, const Vec3 &direction,
-                double distance, double irradiance) {
-    if (direction.dot(side) <= 0) return 0;
+double arriving(const World &world, const Surface &surface, const Lobe &lobe, const Vec3 &direction, double distance,
+                double irradiance) {
+    if (direction.dot(surface.geometric) <= 0) return 0;
     const double light = irradiance * lobe(direction);
     if (light == 0 || world.all().closest({surface.position, direction, surface.triangle}, 0, distance)) return 0;
     return light;
@@ -41,7 +40,7 @@ double arriving(const World &world, const Surface &surface, const Vec3 &side, co
 } // namespace
 
 double light_of_rects(const World &world, const Ray &ray, double t, Sees sees, int channel) {
-    if (sees == Sees::no_rects) return 0;
+    if (sees == Sees::not_asked) return 0;
     double sum = 0;
     for (const scene::Light &light : world.scene.lights)
         if (light.kind == LIGHT_RECT && (sees == Sees::all || light.visible) && Rect(world, light).meet(ray) < t)
@@ -52,10 +51,11 @@ double light_of_rects(const World &world, const Ray &ray, double t, Sees sees, i
 double light_of_environments(const World &world, const Ray &ray, Sees sees, int channel) {
     double sum = 0;
     for (const scene::Light &light : world.scene.lights) {
-        if (sees == Sees::camera && !light.visible) continue;
-        if (light.kind == LIGHT_ENVIRONMENT) sum += light.radiance[channel];
-        if (light.kind == LIGHT_ENVIRONMENT_IMAGE) sum += environment_at(light, ray.direction)[channel];
+        if (light.kind == LIGHT_ENVIRONMENT && (sees != Sees::camera || light.visible)) sum += light.radiance[channel];
     }
+    if (sees == Sees::not_asked) return sum;
+    for (const Sky &sky : world.skies)
+        if (sees == Sees::all || sky.light().visible) sum += sky.radiance(ray.direction)[channel];
     return sum;
 }
 
@@ -64,11 +64,11 @@ double light_of_surface(const World &world, const Surface &surface, const Vec3 &
     return world.value(surface, PARAMETER_emission_luminance) * world.value(surface, PARAMETER_emission_color, channel);
 }
 
-double direct_light(const World &world, const Surface &surface, const Vec3 &side, const Lobe &lobe, bool rects,
-                    int channel, Random &random) {
+double direct_light(const World &world, const Surface &surface, const Lobe &lobe, bool wide, int channel,
+                    Random &random) {
     double sum = 0;
     const auto ask = [&](const Vec3 &direction, double distance, double irradiance) {
-        sum += arriving(world, surface, side, lobe, direction, distance, irradiance);
+        sum += arriving(world, surface, lobe, direction, distance, irradiance);
     };
     for (const scene::Light &light : world.scene.lights) {
         const double radiance = light.radiance[channel];
@@ -78,13 +78,18 @@ double direct_light(const World &world, const Surface &surface, const Vec3 &side
             const double distance = to.norm(), in_scene = distance * world.units.size;
             ask(to / distance, distance, radiance / (in_scene * in_scene));
         }
-        if (light.kind == LIGHT_RECT && rects) {
+        if (light.kind == LIGHT_RECT && wide) {
             const Rect rect(world, light);
             const double a = random(), b = random();
             const Vec3 to = rect.corner + a * rect.u + b * rect.v - surface.position;
             const double distance = to.norm(), cosine = -rect.normal.dot(to) / distance;
             if (cosine > 0) ask(to / distance, distance, radiance * cosine * rect.area / (distance * distance));
         }
+    }
+    for (const Sky &sky : world.skies) {
+        if (!wide) continue;
+        const auto [direction, density] = sky.draw(random);
+        ask(direction, infinity, sky.radiance(direction)[channel] / density);
     }
     return sum;
 }

@@ -57,7 +57,7 @@ void Path::scatter(const Surface &surface, const Vec3 &view) {
     Vec3 facet;
     if (coat) {
         const Lobe lobe = [&](const Vec3 &direction) { return coat->value(direction); };
-        light += throughput * direct_light(world, surface, surface.geometric, lobe, false, channel, random);
+        light += throughput * direct_light(world, surface, lobe, false, channel, random);
         if (reflect(surface, *coat, facet)) return;
     }
     if (random() < world.value(surface, PARAMETER_subsurface_weight))
@@ -89,8 +89,8 @@ void Path::diffuse(const Surface &surface, double albedo) {
     const Lobe lobe = [&](const Vec3 &direction) {
         return lambert_value(direction, surface.shading, surface.geometric);
     };
-    light += throughput * direct_light(world, surface, surface.geometric, lobe, true, channel, random);
-    go(surface, lambert_direction(surface.shading, surface.geometric, random), Sees::no_rects);
+    light += throughput * direct_light(world, surface, lobe, true, channel, random);
+    go(surface, lambert_direction(surface.shading, surface.geometric, random), Sees::not_asked);
 }
 
 Vec3 Path::entry(const Surface &surface, const Vec3 &view, const Vec3 *facet) {

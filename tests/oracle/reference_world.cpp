@@ -1,4 +1,5 @@
 #include "oracle/reference_world.h"
+#include "oracle/reference_normal.h"
 #include "oracle/reference_texture.h"
 #include <algorithm>
 
@@ -25,10 +26,17 @@ std::vector<Triangle> triangles_of(const scene::Scene &scene, const scene::Frame
     return all;
 }
 
+std::vector<Sky> skies_of(const scene::Scene &scene) {
+    std::vector<Sky> skies;
+    for (const scene::Light &light : scene.lights)
+        if (light.kind == LIGHT_ENVIRONMENT_IMAGE) skies.emplace_back(light);
+    return skies;
+}
+
 } // namespace
 
 World::World(const scene::Scene &given)
-    : scene(given), units(scene::frame_of(given)), rays(triangles_of(given, units)) {
+    : scene(given), units(scene::frame_of(given)), skies(skies_of(given)), rays(triangles_of(given, units)) {
     std::uint32_t count = 0;
     for (const scene::Object &object : scene.objects) {
         first.push_back(count);
@@ -58,6 +66,12 @@ Surface World::surface(const Hit &hit) const {
     if (!mesh.normals.empty()) {
         const Vec3 normal = interpolated(mesh.normals);
         if (normal.norm() > 0) surface.shading = normal.normalized();
+    }
+    const int map = material(surface)[PARAMETER_geometry_normal].texture;
+    if (map >= 0) {
+        const auto uv = [&](int k) -> Vec2 { return mesh.uvs[corners[std::size_t(k)]].cast<double>(); };
+        surface.shading =
+            mapped_normal(scene, std::uint32_t(map), surface.uv, surface.shading, v, {uv(0), uv(1), uv(2)});
     }
     if (surface.shading.dot(surface.geometric) <= 0) surface.shading = surface.geometric;
     return surface;

@@ -1,5 +1,6 @@
 #pragma once
 #include "oracle/reference_rays.h"
+#include "oracle/reference_sky.h"
 #include "oracle/reference_walk.h"
 #include "scene/normalise.h"
 #include "scene/scene.h"
@@ -20,6 +21,7 @@ class World {
 
     const scene::Scene &scene;
     const scene::Frame units;
+    const std::vector<Sky> skies; // environments that are images
 
     const Rays &all() const { return rays; }
 
