@@ -70,6 +70,7 @@ Channel channel_of(const io::Picture &picture, const Image &reference, std::size
 
 Agreement compare(const io::Picture &picture, const Image &reference) {
     Agreement result;
+    Sum all;
     const int width = reference.width, height = reference.height, columns = (width + tile - 1) / tile;
     for (std::size_t c = 0; c < 3; ++c) {
         const Channel channel = channel_of(picture, reference, c);
@@ -92,10 +93,12 @@ Agreement compare(const io::Picture &picture, const Image &reference) {
                 result.channel = int(c);
             }
         for (const Sum &sum : tiles) result.tile = std::max(result.tile, sum.deviations());
+        all.add(whole.difference, whole.variance);
         result.whole[c] = whole.deviations();
         result.difference[c] = whole.difference / total;
         result.error[c] = std::sqrt(whole.variance) / total;
     }
+    result.all = all.deviations();
     return result;
 }
 

@@ -10,6 +10,7 @@ namespace nacre::reference {
 struct Agreement {
     double pixel = 0;                   // the largest of all pixels and channels
     double tile = 0;                    // the same for means over tiles of 4 x 4 pixels
+    double all = 0;                     // the mean over the picture and its channels
     std::array<double, 3> whole{};      // means over the picture
     std::array<double, 3> difference{}; // of these means, relative
     std::array<double, 3> error{};      // its standard error
