@@ -6,9 +6,10 @@
 namespace nacre::reference {
 namespace {
 
-/// Longer than any way through a scene of size 1: a flight that goes so far without leaving has slipped out through an
-/// edge by Embree's rounding. That light is lost; it is 1e-7 of it.
-constexpr double beyond = 2;
+/// In a scene of size 1 about its centre no body reaches as far out as `outside`, no way through it is as long as
+/// `beyond`. A walk that does has slipped out through an edge, where Embree's float took another triangle than double:
+/// its light is lost, less than 1e-6 of all.
+constexpr double outside = 0.51, beyond = 2;
 
 /// Where a flight of this length leaves the body. Shells inside are counted: in is +1, out is -1, at 0 it has left.
 std::optional<Hit> boundary(const Rays &body, Ray ray, double length, int &shells) {
@@ -48,8 +49,8 @@ std::optional<Hit> Walk::leave(const Rays &body, const Medium &medium, Random &r
     for (bool from_scatter = false;; from_scatter = true) {
         const double length = flight(medium, from_scatter, random);
         if (const std::optional<Hit> hit = boundary(body, ray, length, shells)) return hit;
-        if (length > beyond) return {};
-        ray.origin += length * ray.direction;
+        ray.origin += std::min(length, beyond) * ray.direction;
+        if (ray.origin.norm() > outside) return {};
         ray.on = no_triangle;
         ray.direction = scattered(ray.direction, medium.g, random);
         weight *= medium.albedo;
