@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Reference,
 
 class AllScenes : public testing::TestWithParam<std::string> {};
 
-TEST_P(AllScenes, SamePicture) { expect_agreement(small_scene(GetParam()), 4096); }
+TEST_P(AllScenes, SamePicture) { expect_agreement(small_scene(GetParam()), 2048); }
 
 /// All scenes that the reference renders, but two: where extinction has a colour the channel samplings `single` and
 /// `albedo` have no variance that samples could tell.
