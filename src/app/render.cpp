@@ -21,7 +21,11 @@ int render_scene(const RenderOptions &options) {
         for (const std::string &warning : scene.warnings) fmt::print(stderr, "nacre: warning: {}\n", warning);
 
     render::Session session(watch.open_device(options), scene,
-                            {.layers = layers, .crop = crop, .generic = options.generic, .timeline = watch.timeline()});
+                            {.layers = layers,
+                             .crop = crop,
+                             .generic = options.generic,
+                             .exact = options.exact,
+                             .timeline = watch.timeline()});
     catch_interrupts();
     ProgressBar bar(options.quiet);
     const bool complete = session.render(

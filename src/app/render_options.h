@@ -12,7 +12,7 @@ struct RenderOptions {
     std::string output, size, crop, device, kernels, dump_kernel, stats, trace;
     std::optional<std::string> aov;
     std::optional<std::uint32_t> spp, seed;
-    bool generic = false, strict = false, quiet = false;
+    bool generic = false, exact = false, strict = false, quiet = false;
 
     void add_to(CLI::App &command);
     /// What is rendered and on what: SCENE, --set, --spp, --size, --seed, --device, --kernels, --generic.

@@ -13,6 +13,7 @@ struct Options {
     Layers layers;
     Crop crop; // empty: the whole image
     bool generic = false;
+    bool exact = false;           // the same bits on every device
     bool profile = false;         // kernels that count what is in shared/counters.h under PROFILE_LIST
     Timeline *timeline = nullptr; // gets what is done from here on, if there is one; must outlive the session
 };
