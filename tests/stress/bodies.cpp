@@ -9,8 +9,8 @@ namespace nacre::stress {
 
 using namespace shared;
 
-bool Seen::sound() const {
-    return finite && ((mean - 4 * error).array() <= 1 + 1e-5).all() && (mean.array() >= 0).all();
+bool Seen::sound(double slack) const {
+    return finite && ((mean - 4 * error).array() <= 1 + slack).all() && (mean.array() >= 0).all();
 }
 
 bool Seen::is(const Vec3 &exact, double slack) const {
@@ -41,8 +41,8 @@ scene::Material material_of(const Body &body) {
 
 Seen seen(const io::Picture &picture, int x0, int y0, int x1, int y1) {
     const std::size_t channels = picture.channels.size();
-    const auto variance = std::size_t(
-        std::find(picture.channels.begin(), picture.channels.end(), "variance.R") - picture.channels.begin());
+    const auto variance = std::size_t(std::find(picture.channels.begin(), picture.channels.end(), "variance.R") -
+                                      picture.channels.begin());
     const double pixels = double(x1 - x0) * (y1 - y0);
     Seen seen;
     Vec3 squares(0, 0, 0);
@@ -67,8 +67,7 @@ Seen seen(const io::Picture &picture, int x0, int y0, int x1, int y1) {
 Shown show(const std::vector<Body> &bodies, const Look &look) {
     std::vector<Body> all = bodies;
     all.push_back({.g = .5, .bleed = .5}); // so that all pictures need the same features, and one program serves them
-    const int columns = int(std::ceil(std::sqrt(double(all.size())))),
-              rows = (int(all.size()) + columns - 1) / columns;
+    const int columns = int(std::ceil(std::sqrt(double(all.size())))), rows = (int(all.size()) + columns - 1) / columns;
     const int cell = look.pixels + 1; // with a gap of one pixel
     const double pitch = double(cell) / look.pixels;
     scene::Scene scene;

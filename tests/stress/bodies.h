@@ -34,8 +34,8 @@ struct Seen {
     double largest = 0;
     bool finite = true;
 
-    /// No NaN, no infinity, nothing negative, and no more light than fell in (1), by 4 standard errors.
-    bool sound() const;
+    /// No NaN, no infinity, nothing negative, and no more light than fell in (1), by 4 standard errors and `slack`.
+    bool sound(double slack) const;
     /// `mean` within 4 standard errors and `slack` of `exact`.
     bool is(const Vec3 &exact, double slack) const;
     std::string text() const;

@@ -50,7 +50,7 @@ void check_half_spaces(std::uint32_t walks) {
     tally.expect_all();
 }
 
-TEST(Exact, HalfSpaceOfAnyAlbedoBleedAndColour) { check_half_spaces(1 << 15); }
+TEST(Exact, HalfSpaceOfAnyAlbedoBleedAndColour) { check_half_spaces(1 << 14); }
 TEST(LongExact, HalfSpaceOfAnyAlbedoBleedAndColour) { check_half_spaces(1 << 20); }
 
 /// Share of diffuse light that passes a slab of optical depth tau without a scatter.
@@ -66,8 +66,12 @@ double unscattered(double tau, double bleed) {
 
 /// A slab without scattering, of thickness .2 and a hundred times as wide.
 scene::Scene black_slab(double free_path, double bleed, FlightLaw flight) {
-    const Body body{.g = .5, .bleed = bleed, .albedo = Vec3::Zero(), .free_path = .2 * free_path,
-                    .scale = {1, .1, 1e-3}, .flight = flight};
+    const Body body{.g = .5,
+                    .bleed = bleed,
+                    .albedo = Vec3::Zero(),
+                    .free_path = .2 * free_path,
+                    .scale = {1, .1, 1e-3},
+                    .flight = flight};
     scene::Scene scene;
     scene.materials = {material_of(body)};
     scene.objects = {{"slab", scene::make_box({-10, -10, -.2}, {10, 10, 0}), 0, 0}};
@@ -94,18 +98,16 @@ void check_slabs(const std::vector<double> &free_paths) {
                 for (int c = 0; c < 3; ++c) {
                     const double path = free_path * scene.materials[0][PARAMETER_subsurface_radius_scale].value[c];
                     const double exact = unscattered(1 / std::max(path, shortest), bleed);
-                    tally.add({{"free path", free_path},
-                               {"bleed", bleed},
-                               {"channel", c},
-                               {"reciprocal", flight}},
-                              whole.finite && std::abs(whole.mean[c] - exact) <= 4 * whole.error[c] + unseen,
-                              fmt::format("found {:.6g} +- {:.2g}, exact {:.6g}", whole.mean[c], whole.error[c], exact));
+                    tally.add(
+                        {{"free path", free_path}, {"bleed", bleed}, {"channel", c}, {"reciprocal", flight}},
+                        whole.finite && std::abs(whole.mean[c] - exact) <= 4 * whole.error[c] + unseen,
+                        fmt::format("found {:.6g} +- {:.2g}, exact {:.6g}", whole.mean[c], whole.error[c], exact));
                 }
             }
     tally.expect_all();
 }
 
-TEST(Exact, BlackSlabOfAnyDepth) { check_slabs({1e-6, 1e-2, 1, 1e3, 1e6}); }
+TEST(Exact, BlackSlabOfAnyDepth) { check_slabs({1e-6, 1e-2, 1, 1e3}); }
 TEST(LongExact, BlackSlabOfAnyDepth) {
     std::vector<double> free_paths;
     for (int e = -12; e <= 12; ++e) free_paths.push_back(std::pow(10, .5 * e));

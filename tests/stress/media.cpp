@@ -1,5 +1,5 @@
-// Media at the ends of their ranges, every value with every other: nothing is NaN, no light is gained, and where nothing
-// is absorbed none is lost.
+// Media at the ends of their ranges, every value with every other: nothing is NaN, no light is gained, and where
+// nothing is absorbed none is lost.
 #include "stress/bodies.h"
 #include "stress/tally.h"
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr double anisotropies[] = {-.9999, -.999, -.9, -.5, 0, 1e-6, .5, .9, .99
 constexpr double albedos[] = {0, 1e-6, .1, .5, .9, .99, 1 - 1e-4, 1 - 1e-6, 1};
 constexpr double bleeds[] = {0, 1e-7, 1e-3, .5, 1, 10, 1e4};
 // Of the edge. Bodies of less than some twenty free paths are not guided.
-const std::vector<double> free_paths{1e-4, 1e-2, 1, 1e3, 1e6}, guided_free_paths{1e-4, 1e-2};
+const std::vector<double> free_paths{3e-4, 1e-2, 1, 1e3, 1e6}, guided_free_paths{3e-4, 1e-2};
 
 const char *name_of(Guiding guiding) { return guiding == GUIDING_NONE ? "classical walks" : "guided walks"; }
 
@@ -36,20 +36,20 @@ void add_flights(Body body, std::vector<Body> &bodies) {
         }
 }
 
-/// Every g, albedo, bleed, law and free path; one picture for each g and free path.
+/// Every g, albedo, bleed, law and free path; one picture for each free path.
 void check_all(Guiding guiding, std::uint32_t spp) {
     Tally tally(fmt::format("Media, {}", name_of(guiding)));
-    for (const double free_path : guiding == GUIDING_NONE ? free_paths : guided_free_paths)
-        for (const double g : anisotropies) {
-            std::vector<Body> bodies;
+    for (const double free_path : guiding == GUIDING_NONE ? free_paths : guided_free_paths) {
+        std::vector<Body> bodies;
+        for (const double g : anisotropies)
             for (const double albedo : albedos)
                 add_flights({.g = g, .albedo = Vec3::Constant(albedo), .free_path = free_path, .max_depth = 1024},
                             bodies);
-            const Shown shown = show(bodies, {.spp = spp, .guiding = guiding});
-            for (std::size_t i = 0; i < bodies.size(); ++i)
-                tally.add(place(bodies[i]), shown.bodies[i].sound(), shown.bodies[i].text());
-            EXPECT_EQ(shown.statistics[COUNTER_non_finite], 0u) << "g " << g << ", free path " << free_path;
-        }
+        const Shown shown = show(bodies, {.spp = spp, .guiding = guiding});
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            tally.add(place(bodies[i]), shown.bodies[i].sound(1e-5), shown.bodies[i].text());
+        EXPECT_EQ(shown.statistics[COUNTER_non_finite], 0u) << "free path " << free_path;
+    }
     tally.expect_all();
 }
 

@@ -42,7 +42,7 @@ TEST(Pictures, LightOfAnyStrength) {
         std::array<double, 4> strengths{};
         strengths[kind] = 1;
         const Seen one = look(strengths);
-        for (const double strength : {1e-20, 1e-10, 1e-3, 1e3, 1e10, 1e20})
+        for (const double strength : {1e-20, 1e-10, 1e10, 1e20})
             for (const double others : {0., 1e-20}) {
                 strengths.fill(others * strength);
                 strengths[kind] = strength;

@@ -89,7 +89,8 @@ scene::Scene scene_of(const Shape &shape, double free_path, double g, double ble
     scene::Scene scene;
     double size = 0;
     for (const scene::Mesh &mesh : shape.objects) {
-        scene.objects.push_back(io::make_object(shape.name, mesh, Transform::Identity(), false, shape.name, scene.warnings));
+        scene.objects.push_back(
+            io::make_object(shape.name, mesh, Transform::Identity(), false, shape.name, scene.warnings));
         const scene::Bounds bounds = scene::bounds(scene.objects.back().mesh);
         size = std::max(size, bounds.sizes().minCoeff());
     }
@@ -109,11 +110,12 @@ scene::Scene scene_of(const Shape &shape, double free_path, double g, double ble
 void check(const std::vector<Shape> &all) {
     Tally tally("Shapes");
     for (std::size_t i = 0; i < all.size(); ++i)
-        for (const double free_path : {1e-3, 1e-1, 10.})
+        for (const double free_path : {1e-2, 10.})
             for (const auto &[g, bleed] : {std::pair{.5, .5}, {.999, .5}}) {
                 const scene::Scene scene = scene_of(all[i], free_path, g, bleed);
                 // Less is outside the domain: walks are lost in the rounding of their positions.
-                if (scene.materials[0][PARAMETER_subsurface_radius].value.x() < 3e-6 * scene::frame_of(scene).size) continue;
+                if (scene.materials[0][PARAMETER_subsurface_radius].value.x() < 3e-6 * scene::frame_of(scene).size)
+                    continue;
                 const Rendered found = rendered(scene, with_variance());
                 const Seen whole = seen(found.picture, 0, 0, 24, 24);
                 std::size_t covered = 0;
