@@ -50,7 +50,7 @@ void check_half_spaces(std::uint32_t walks) {
     tally.expect_all();
 }
 
-TEST(Exact, HalfSpaceOfAnyAlbedoBleedAndColour) { check_half_spaces(1 << 14); }
+TEST(Exact, HalfSpaceOfAnyAlbedoBleedAndColour) { check_half_spaces(1 << 13); }
 TEST(LongExact, HalfSpaceOfAnyAlbedoBleedAndColour) { check_half_spaces(1 << 20); }
 
 /// Share of diffuse light that passes a slab of optical depth tau without a scatter.
