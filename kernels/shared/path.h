@@ -67,11 +67,13 @@ typedef struct Batch Batch;
 // and the number of walks, once and the number of scatters, more often).
 #define FILM_RADIANCE 0 // rgb, alpha
 #define FILM_SQUARE 1   // squares of rgb
-#define FILM_PLANES 2
+#define FILM_REST 2     // what the sums of rgb and alpha have lost by rounding
+#define FILM_PLANES 3
 #define FILM_SURFACE_PLANES 2
 #define FILM_SCATTER_PLANES 3
 
-// Samples are added up in float within aligned blocks of this many, the blocks in double on the host.
+// Samples are added up in float within aligned blocks of this many, keeping what is rounded off, the blocks in double on the
+// host.
 #define FILM_BLOCK 64
 
 #endif

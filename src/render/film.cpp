@@ -70,8 +70,12 @@ io::Picture Film::picture(const Layers &layers, double unit, double length) cons
             const double n = samples[pixel], scale = n > 0 ? 1 / n : 0;
             const double hits = sum[3]; // samples that met geometry: depth is their mean
             const auto put = [&](double value) { picture.pixels.push_back(float(value)); };
-            for (int c = 0; c < 3; ++c) put(sum[c] * scale * unit);
-            put(sum[3] * scale);
+            const auto mean = [&](int c) { // infinity leaves no rest, but NaN
+                const double rest = sum[4 * FILM_REST + c];
+                return (std::isfinite(rest) ? sum[c] + rest : sum[c]) * scale;
+            };
+            for (int c = 0; c < 3; ++c) put(mean(c) * unit);
+            put(mean(3));
             const double *square = sum + 4 * FILM_SQUARE;
             const double *albedo = sum + 4 * FILM_PLANES, *normal = albedo + 4;
             const double *orders = sum + 4 * (FILM_PLANES + (layers.surface() ? FILM_SURFACE_PLANES : 0));
@@ -82,8 +86,8 @@ io::Picture Film::picture(const Layers &layers, double unit, double length) cons
             if (layers.depth) put(hits > 0 ? albedo[3] / hits * length : 0);
             if (layers.variance) // of the mean, from the samples' own spread; 0 where it cannot be known
                 for (int c = 0; c < 3; ++c) {
-                    const double mean = sum[c] * scale;
-                    put(n > 1 ? std::max(0.0, square[c] * scale - mean * mean) / (n - 1) * unit * unit : 0);
+                    const double variance = std::max(0.0, square[c] * scale - mean(c) * mean(c));
+                    put(n > 1 ? variance / (n - 1) * unit * unit : 0);
                 }
             if (layers.samples) put(n);
             const bool wanted[] = {layers.zero, layers.single, layers.multiple};

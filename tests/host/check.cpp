@@ -95,10 +95,29 @@ TEST(Check, ComparesTheMeanFreePathWithTheSize) {
     expect_finding(clear, "ball", "looks transparent; did you mean subsurface_radius = 0.04?");
     Scene dense = good_scene(); // the blue path is a quarter of the radius
     dense.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(1e-4);
-    dense.materials[0][shared::PARAMETER_subsurface_radius_scale].value = Vec3(1, 1, 0.1);
+    dense.materials[0][shared::PARAMETER_subsurface_radius_scale].value = Vec3(1, 1, 0.2);
     expect_finding(dense, "ball", "looks like paint; did you mean subsurface_radius = 0.04?");
     clear.materials[0][shared::PARAMETER_subsurface_weight].value.setZero(); // not used, so not wrong
     EXPECT_TRUE(check(clear).empty());
+}
+
+// The second body takes the scene's size far beyond that of the first.
+TEST(Check, FindsFreePathsBelowTheSceneRounding) {
+    Scene scene = good_scene();
+    scene.objects.push_back({"far", make_sphere({1e5, 0, 0}, 1, 16), 1, 0});
+    scene.materials.emplace_back().name = "matt";
+    expect_finding(scene, "ball", "material 'skin': the mean free path 0.0125 is less than 3e-06 of the scene's size");
+    scene.objects[1].mesh = make_sphere({1e3, 0, 0}, 1, 16);
+    EXPECT_TRUE(check(scene).empty());
+}
+
+TEST(Check, CountsSlivers) {
+    Scene scene = good_scene();
+    scene.objects[0].mesh = make_box({-1, -1, -1}, {1, 1, -1 + 1.9e-3});
+    scene.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(1e-3);
+    expect_finding(scene, "ball", "8 of 12 triangles are more than 1000 times as long as wide");
+    scene.materials[0][shared::PARAMETER_subsurface_weight].value.setZero(); // a surface minds no sliver
+    EXPECT_TRUE(check(scene).empty());
 }
 
 TEST(Check, TexturesNeedUvs) {
