@@ -12,7 +12,7 @@
 // The path is to walk, from `position` below a surface with the unit normal `outward`.
 void path_below(const Scene *scene, Path *path, float3 position, float3 outward) {
     path->state = PATH_WALK;
-    if (!GUIDED || !scene->objects[path->object].guided) return;
+    if (!GUIDED || !(scene->objects[path->object].guided > 0.0f)) return;
     guide_begin(scene, path, position, outward);
     path->state = PATH_THICKNESS;
 }

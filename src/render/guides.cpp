@@ -108,10 +108,12 @@ Across across(const scene::Scene &scene, const scene::Material &material, double
 /// (build/bench/guiding without these limits; a guided walk takes 1.2 times as long).
 constexpr double least_scatters = .22, least_folds = .2;
 
-bool is_thin(const scene::Scene &scene, const scene::Object &object, bool even_light) {
-    const Across a = across(scene, scene.materials[object.material], thickness(object.mesh));
+bool is_thin(const Across &a, bool even_light) {
     return even_light ? a.scatters < least_scatters : a.folds < least_folds;
 }
+
+/// Bodies are flat to a walk that are larger than so many lengths of light_path, or so many times their thickness.
+constexpr double flat_size = 500, flat_ratio = 20;
 
 } // namespace
 
@@ -124,9 +126,12 @@ bool choose_guided(const scene::Scene &scene, Geometry &geometry) {
         if (scene.render.guiding == GUIDING_NONE || !scene::walks_below(material)) continue;
         Eigen::AlignedBox3d box;
         for (const Vec3 &vertex : object.mesh.positions) box.extend(vertex);
-        if (box.sizes().maxCoeff() < least_size * light_path(scene, material)) continue;
-        if (geometry.objects[i].closed && is_thin(scene, object, even_light)) continue;
-        geometry.objects[i].guided = 1;
+        const double extent = box.sizes().maxCoeff(), path = light_path(scene, material),
+                     thick = thickness(object.mesh);
+        if (extent < least_size * path) continue;
+        if (geometry.objects[i].closed && is_thin(across(scene, material, thick), even_light)) continue;
+        const bool flat = extent > flat_size * path || extent > flat_ratio * thick;
+        geometry.objects[i].guided = flat ? GUIDE_SHARE : GUIDE_SHARE_CURVED;
         some = true;
     }
     return some;
