@@ -43,11 +43,11 @@ TEST(LightSum, FewLights) {
         image_sky(8, 4, blue_above),
     };
     scene::Scene floor = floor_scene(.7);
-    expect_sum(floor, lights, 1024, .02, "diffuse");
+    expect_sum(floor, lights, 256, .02, "diffuse");
     floor.materials[0][PARAMETER_specular_weight].value = Vec3::Ones();
     floor.materials[0][PARAMETER_specular_roughness].value = Vec3::Constant(.6);
     floor.materials[0][PARAMETER_specular_ior].value = Vec3::Constant(3);
-    expect_sum(floor, lights, 1024, .02, "under a rough layer");
+    expect_sum(floor, lights, 256, .02, "under a rough layer");
 }
 
 // Walks leave as Lambertian vertices, and go on to other surfaces.
@@ -60,7 +60,7 @@ TEST(LightSum, FewLightsOnAMedium) {
     expect_sum(scene,
                {rect_light({0, .5, 0}, {.4, 0, 0}, {0, 0, .4}, {2, 1, .5}),
                 rect_light({-2, .2, 0}, {0, 0, 2}, {0, 1, 0}, {3, 4, 2}), point_light({.4, .2, -.3}, {.1, .2, .1})},
-               512, .02, "walks");
+               128, .02, "walks");
 }
 
 } // namespace
