@@ -19,7 +19,7 @@ struct Path {
     float4 sigma;      // walk: extinction per channel
     float4 albedo;     // walk: single-scattering albedo per channel
     float4 anisotropy; // walk: g per channel
-    float4 outward;    // walk: the near side's normal, as its guide sees it; w: dot(normal, entry)
+    float4 outward;    // ray: geometric normal where it starts; walk: the near side's normal, as its guide sees it; w: dot(normal, entry)
     float bleed;
     float first_number; // walk: the random number of its first flight
     uint slot;         // of the batch: where its radiance goes
