@@ -22,8 +22,8 @@ inline double node_of_bleed(double bleed) {
     return std::sqrt(std::clamp(bleed / largest_bleed, 0.0, 1.0)) * (table_bleeds - 1);
 }
 
-/// Dense at black, where forward scattering bends the curve, and at white, where similarities of reciprocal flights with
-/// bleed are powers of small numbers.
+/// Dense at black, where forward scattering bends the curve, and at white, where similarities of reciprocal flights
+/// with bleed are powers of small numbers.
 inline double color_at(double node) {
     const double at = node / (table_colors - 1);
     return 1 - std::pow(1 - at * at, 2);

@@ -1,4 +1,5 @@
 #include "scene/check.h"
+#include "scene/check_colors.h"
 #include "scene/normalise.h"
 #include "scene/topology.h"
 #include <algorithm>
@@ -49,7 +50,10 @@ class ObjectCheck {
     void edges() {
         if (topology.open_edges)
             find(fmt::format("{} open edges: the mesh has holes{}", topology.open_edges,
-                             scatters(material) ? ", light inside gets lost through them; close them" : ""));
+                             scatters(material) ? ""
+                                                  ", light inside gets lost through them and colours come out darker "
+                                                  "than asked for; close them"
+                                                : ""));
         if (topology.non_manifold_edges)
             find(fmt::format("{} edges have more than two triangles: what is inside is not clear there",
                              topology.non_manifold_edges));
@@ -163,6 +167,9 @@ std::vector<Finding> check(const Scene &scene) {
     const double size = frame_of(scene).size;
     for (const Object &object : scene.objects) {
         const Material &material = scene.materials[object.material];
+        if (scatters(material))
+            for (const std::string &text : check_colors(scene, material))
+                findings.push_back({object.name, fmt::format("material '{}': {}", material.name, text)});
         any_emits = any_emits || emits(material);
         std::vector<Finding> found = ObjectCheck(object, material, size).run();
         std::move(found.begin(), found.end(), std::back_inserter(findings));

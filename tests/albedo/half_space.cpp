@@ -28,7 +28,7 @@ TEST(HalfSpace, UniversalLaw) {
     for (const double bleed : {0., .01, .5, 1., 2., 4.})
         for (const double albedo : {.1, .5, .9, .99}) {
             const double r = std::sqrt(1 - albedo), exact = (1 - r) / (1 + r);
-            EXPECT_NEAR(reflectance_isotropic(albedo, bleed, FLIGHT_RENEWAL).uniform, exact, 1e-9);
+            EXPECT_NEAR(reflectance_isotropic(albedo, bleed, FLIGHT_RENEWAL).uniform, exact, 5e-9);
             EXPECT_NEAR(reflectance_by_modes(Ordinates(0, bleed, FLIGHT_RENEWAL, 6, 1e-9), albedo).uniform, exact,
                         2e-5);
             Eigen::MatrixXd moments;

@@ -51,7 +51,7 @@ void expect_exact(const Error &error) {
            error.sum / error.count);
 }
 
-TEST(Inversion, RoundTrip) { expect_exact(round_trip(40, 500)); }
+TEST(Inversion, RoundTrip) { expect_exact(round_trip(24, 850)); }
 TEST(LongInversion, RoundTrip) { expect_exact(round_trip(600, 100)); }
 
 TEST(Inversion, EndsAndOrder) {
@@ -69,7 +69,6 @@ TEST(Inversion, EndsAndOrder) {
                         ASSERT_LE(a, 1);
                         last = a;
                     }
-                    EXPECT_NEAR(table_color(albedo(INVERSION_TABLE, .6, medium), medium), .6, 1e-9);
                 }
 }
 

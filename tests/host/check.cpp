@@ -29,6 +29,37 @@ TEST(Check, FindsNothingInAGoodScene) {
     for (const Finding &finding : check(good_scene())) ADD_FAILURE() << finding.subject << ": " << finding.text;
 }
 
+TEST(Check, NamesColorsOutOfReach) {
+    const auto spoilt = [](const auto &spoil) {
+        Scene scene = good_scene();
+        spoil(scene, scene.materials[0]);
+        return scene;
+    };
+    expect_finding(spoilt([](Scene &, Material &m) { m.max_depth = 256; }), "ball", "walks end after 256 scatters");
+    expect_finding(spoilt([](Scene &, Material &m) { m.internal_reflection = true; }), "ball", "turned back");
+    expect_finding(spoilt([](Scene &, Material &m) { m.entry = shared::ENTRY_REFRACTED; }), "ball", "refracted");
+    expect_finding(
+        spoilt([](Scene &, Material &m) { m[shared::PARAMETER_subsurface_scatter_anisotropy].value.setConstant(.99); }),
+        "ball", "from -0.95 to 0.98");
+    expect_finding(spoilt([](Scene &, Material &m) { m[shared::PARAMETER_subsurface_bleed].value.setConstant(5); }),
+                   "ball", "bleed up to 4");
+    expect_finding(spoilt([](Scene &, Material &m) {
+                       m.flight = shared::FLIGHT_RECIPROCAL;
+                       m[shared::PARAMETER_subsurface_bleed].value.setConstant(4);
+                       m[shared::PARAMETER_subsurface_color].value = {.99, .5, .5};
+                   }),
+                   "ball", "a colour of 0.99");
+    expect_finding(spoilt([](Scene &scene, Material &m) {
+                       m[shared::PARAMETER_subsurface_color].texture = 0;
+                       scene.textures.push_back({});
+                       Image &two = scene.images.emplace_back();
+                       two.width = two.height = two.channels = 1;
+                       two.halves = {0x4000};
+                       scene.objects[0].mesh.uvs.resize(scene.objects[0].mesh.positions.size());
+                   }),
+                   "ball", "reaches 2");
+}
+
 TEST(Check, CountsOpenEdges) {
     Scene scene = good_scene();
     scene.objects[0].mesh.triangles.pop_back();
