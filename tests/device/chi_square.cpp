@@ -116,11 +116,15 @@ void expect_uniform(const std::vector<double> &numbers, std::size_t bins, const 
     EXPECT_GE(kolmogorov_smirnov(numbers), 1e-4) << what << ", Kolmogorov-Smirnov";
 }
 
-void expect_uniform(const std::vector<double> &x, const std::vector<double> &y, std::size_t bins,
-                    const std::string &what) {
+std::vector<std::uint64_t> pairs_in_bins(const std::vector<double> &x, const std::vector<double> &y, std::size_t bins) {
     std::vector<std::uint64_t> observed(bins * bins);
     for (std::size_t i = 0; i < x.size(); ++i) ++observed[bin_of(y[i], bins) * bins + bin_of(x[i], bins)];
-    expect_distribution(observed, std::vector<double>(bins * bins, 1), what);
+    return observed;
+}
+
+void expect_uniform(const std::vector<double> &x, const std::vector<double> &y, std::size_t bins,
+                    const std::string &what) {
+    expect_distribution(pairs_in_bins(x, y, bins), std::vector<double>(bins * bins, 1), what);
     EXPECT_GE(kolmogorov_smirnov(x), 1e-4) << what << ", Kolmogorov-Smirnov of the first";
     EXPECT_GE(kolmogorov_smirnov(y), 1e-4) << what << ", Kolmogorov-Smirnov of the second";
 }

@@ -32,6 +32,7 @@ void expect_distribution(const std::vector<std::uint64_t> &observed, const std::
 /// The same for points of the unit square (or numbers of the unit interval) that ought to be uniform; Kolmogorov and
 /// Smirnov's test is of the numbers themselves, of the square's of either coordinate.
 void expect_uniform(const std::vector<double> &numbers, std::size_t bins, const std::string &what);
+std::vector<std::uint64_t> pairs_in_bins(const std::vector<double> &x, const std::vector<double> &y, std::size_t bins);
 void expect_uniform(const std::vector<double> &x, const std::vector<double> &y, std::size_t bins,
                     const std::string &what);
 
