@@ -17,7 +17,6 @@ struct Options {
     std::string json, csv, html, scenes, modes, device = "cpu";
     std::vector<std::uint32_t> budgets{8, 16, 32, 64};
     std::vector<std::string> peers;
-    std::vector<std::uint32_t> peer_budgets{16, 32, 64, 128};
     std::uint32_t seeds = 16;
     bool quick = false;
 };
@@ -61,7 +60,7 @@ SceneReport measure(const device::Device &device, const Scenario &scenario, cons
     for (const Series &series : all) out.modes.push_back(analyse(series, reference));
     compare_with(out.modes.front(), out.modes);
     for (const std::string &name : options.peers) {
-        PeerShots shots = shoot_peer(name, scenario, options.peer_budgets, options.seeds);
+        PeerShots shots = shoot_peer(name, scenario, options.budgets, options.seeds);
         if (!shots.why_not.empty()) {
             report.remarks.push_back(shots.why_not);
             fmt::print("{}\n", shots.why_not);
@@ -113,9 +112,6 @@ int main(int argc, char **argv) {
         ->expected(2, 100)
         ->check(CLI::Range(1, 1 << 16));
     app.add_option("--peers", options.peers, "other renderers: cycles, mitsuba")->check(CLI::IsMember(peer_names()));
-    app.add_option("--peer-budgets", options.peer_budgets, "their samples per pixel")
-        ->expected(2, 100)
-        ->check(CLI::Range(1, 1 << 16));
     app.add_flag("--quick", options.quick, "budgets 1 2 4 8 and four seeds: whether it runs");
     app.add_option("--device", options.device, "OpenCL device");
     CLI11_PARSE(app, argc, argv);

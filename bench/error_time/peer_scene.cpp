@@ -1,4 +1,5 @@
 // A scene as other renderers' scripts read it.
+#include "albedo/inversion.h"
 #include "base/error.h"
 #include "error_time/peers.h"
 #include "io/image.h"
@@ -75,6 +76,12 @@ Json material_json(const std::string &folder, const scene::Scene &scene, const s
                  {"specular", material[PARAMETER_specular_weight].value.x()},
                  {"roughness", material[PARAMETER_specular_roughness].value.x()},
                  {"ior", material[PARAMETER_specular_ior].value.x()}};
+    const Vec3 color = material[PARAMETER_subsurface_color].value;
+    albedo::Medium medium{material[PARAMETER_subsurface_scatter_anisotropy].value.x()};
+    medium.entry = material.entry;
+    Vec3 albedo;
+    for (int c = 0; c < 3; ++c) albedo[c] = albedo::albedo(material.inversion, color[c], medium);
+    json["albedo"] = array(albedo); // where there is no texture
     if (const scene::Texture *texture = color_texture(scene, material))
         json["texture"] = write_texture(folder, scene, *texture);
     return json;

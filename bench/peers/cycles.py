@@ -1,13 +1,13 @@
 # Renders what build/bench/error_time exports with Blender's Cycles (written for 3.4), on the processor:
 #   blender -b --factory-startup --python cycles.py -- FOLDER
 # FOLDER has scene.json and job.json; pictures and times.json go there.
+import array
 import json
 import math
 import sys
 import time
 
 import bpy
-import numpy
 from mathutils import Matrix, Vector
 
 folder = sys.argv[sys.argv.index("--") + 1]
@@ -15,8 +15,12 @@ scene_in = json.load(open(folder + "/scene.json"))
 job = json.load(open(folder + "/job.json"))
 
 
-def numbers(file, kind, columns):
-    return numpy.fromfile(file, kind).reshape(-1, columns)
+def numbers(file, kind):
+    return array.array(kind, open(file, "rb").read())
+
+
+def groups(values, size):
+    return [values[i:i + size] for i in range(0, len(values), size)]
 
 
 def frame(x, y, z, origin):
@@ -113,24 +117,24 @@ def make_material(given):
 
 
 def make_object(given, materials):
-    positions = numbers(given["positions"], "<f4", 3)
-    triangles = numbers(given["triangles"], "<u4", 3)
+    positions, corners = numbers(given["positions"], "f"), numbers(given["triangles"], "i")
+    count = len(corners) // 3
     mesh = bpy.data.meshes.new("mesh")
-    mesh.vertices.add(len(positions))
-    mesh.vertices.foreach_set("co", positions.ravel())
-    mesh.loops.add(triangles.size)
-    mesh.loops.foreach_set("vertex_index", triangles.astype("<i4").ravel())
-    mesh.polygons.add(len(triangles))
-    mesh.polygons.foreach_set("loop_start", numpy.arange(0, triangles.size, 3, dtype="<i4"))
-    mesh.polygons.foreach_set("loop_total", numpy.full(len(triangles), 3, dtype="<i4"))
+    mesh.vertices.add(len(positions) // 3)
+    mesh.vertices.foreach_set("co", positions)
+    mesh.loops.add(len(corners))
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.polygons.add(count)
+    mesh.polygons.foreach_set("loop_start", range(0, len(corners), 3))
+    mesh.polygons.foreach_set("loop_total", [3] * count)
     if "uvs" in given:
-        uvs = numbers(given["uvs"], "<f4", 2)
-        mesh.uv_layers.new().data.foreach_set("uv", uvs[triangles.ravel()].ravel())
+        uvs = groups(numbers(given["uvs"], "f"), 2)
+        mesh.uv_layers.new().data.foreach_set("uv", [x for corner in corners for x in uvs[corner]])
     mesh.update()
     if "normals" in given:
-        mesh.polygons.foreach_set("use_smooth", numpy.ones(len(triangles), dtype=bool))
+        mesh.polygons.foreach_set("use_smooth", [True] * count)
         mesh.use_auto_smooth = True
-        mesh.normals_split_custom_set_from_vertices(numbers(given["normals"], "<f4", 3).tolist())
+        mesh.normals_split_custom_set_from_vertices(groups(numbers(given["normals"], "f"), 3))
     mesh.materials.append(materials[given["material"]])
     bpy.context.collection.objects.link(bpy.data.objects.new("object", mesh))
 
