@@ -159,13 +159,13 @@ void compare_with(const Result &base, std::vector<Result> &results) {
     }
 }
 
-Interval gain(const Result &a, const Result &b) {
-    const auto cost_of = [](const Result &result, std::span<const std::size_t> indices) {
+Interval gain(const Result &a, const Result &b, double Distance::*clock) {
+    const auto cost_of = [clock](const Result &result, std::span<const std::size_t> indices) {
         const std::size_t first = result.distances.size() - indices.size();
         double variance = 0, seconds = 0;
         for (const std::size_t i : indices) {
             variance += result.distances[first + i].variance;
-            seconds += result.distances[first + i].seconds;
+            seconds += result.distances[first + i].*clock;
         }
         return variance * seconds;
     };

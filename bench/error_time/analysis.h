@@ -52,7 +52,8 @@ Result analyse(const Series &series, const Reference &reference);
 /// Fills equal_time and equal_error; `base`, which may be among them, is what they are held against.
 void compare_with(const Result &base, std::vector<Result> &results);
 
-/// Efficiency of `a` over that of `b`, at their largest budgets, with seeds drawn independently.
-Interval gain(const Result &a, const Result &b);
+/// Efficiency of `a` over that of `b`, at their largest budgets, with seeds drawn independently, by one of the clocks:
+/// `cpu` does not count what else the machine did, `seconds` is what a user waits.
+Interval gain(const Result &a, const Result &b, double Distance::*clock);
 
 } // namespace nacre::bench

@@ -88,10 +88,12 @@ std::string startup(const SceneReport &scene) {
 std::string gains(const SceneReport &scene) {
     std::string out;
     for (const Result &peer : scene.peers) {
-        const Interval better = gain(scene.modes.front(), peer);
-        out += fmt::format("<p>1 / (variance x seconds), nacre's default over {}: <b>{:.2f}</b> ({:.2f} &ndash; "
-                           "{:.2f}).</p>",
-                           escaped(peer.name), better.value, better.low, better.high);
+        const Interval better = gain(scene.modes.front(), peer, &Distance::seconds);
+        const Interval cpu = gain(scene.modes.front(), peer, &Distance::cpu);
+        out +=
+            fmt::format("<p>1 / (variance x seconds), nacre's default over {}: <b>{:.2f}</b> ({:.2f} &ndash; {:.2f}); "
+                        "by CPU time <b>{:.2f}</b> ({:.2f} &ndash; {:.2f}).</p>",
+                        escaped(peer.name), better.value, better.low, better.high, cpu.value, cpu.low, cpu.high);
     }
     return out;
 }

@@ -50,7 +50,8 @@ nlohmann::ordered_json to_json(const Report &report) {
         for (const Result &result : scene.modes) out["modes"].push_back(to_json(result));
         for (const Result &result : scene.peers) {
             Json peer = to_json(result);
-            peer["gain"] = to_json(gain(scene.modes.front(), result));
+            peer["gain"] = to_json(gain(scene.modes.front(), result, &Distance::seconds));
+            peer["gain_cpu"] = to_json(gain(scene.modes.front(), result, &Distance::cpu));
             out["peers"].push_back(peer);
         }
         json["scenes"].push_back(out);
@@ -91,11 +92,12 @@ void print(const SceneReport &scene) {
                     result.name, result.slope.value, result.slope.low, result.slope.high, checked, result.equal_time,
                     result.equal_error);
         }
-    for (const Result &peer : scene.peers) {
-        const Interval better = gain(scene.modes.front(), peer);
-        fmt::print("  1 / (variance x seconds), nacre over {}: {:.2f} ({:.2f} - {:.2f})\n", peer.name, better.value,
-                   better.low, better.high);
-    }
+    for (const Result &peer : scene.peers)
+        for (const auto &[clock, name] : {std::pair{&Distance::seconds, "seconds"}, {&Distance::cpu, "CPU seconds"}}) {
+            const Interval better = gain(scene.modes.front(), peer, clock);
+            fmt::print("  1 / (variance x {}), nacre over {}: {:.2f} ({:.2f} - {:.2f})\n", name, peer.name,
+                       better.value, better.low, better.high);
+        }
     std::fflush(stdout);
 }
 
