@@ -48,6 +48,7 @@ std::vector<Series> shoot_all(const device::Device &device, const scene::Scene &
         for (const std::uint32_t spp : options.budgets)
             for (std::size_t i = 0; i < chosen.size(); ++i)
                 all[i].shots.push_back(shoot(device, scene, *chosen[i], spp, seed));
+    for (Series &series : all) take_slopes(series.shots, options.budgets.size(), &Shot::cpu);
     return all;
 }
 

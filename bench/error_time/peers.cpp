@@ -56,19 +56,6 @@ void write_job(const fs::path &folder, const std::vector<std::uint32_t> &budgets
     write_json(folder / "job.json", {{"threads", std::thread::hardware_concurrency()}, {"renders", renders}});
 }
 
-/// Turns the shots' seconds, which include what is done once per picture, into those of sampling.
-void take_slopes(std::vector<Shot> &shots, std::size_t budgets) {
-    for (std::size_t first = 0; first < shots.size(); first += budgets) {
-        const Shot &least = shots[first], &most = shots[first + budgets - 1];
-        const double samples = double(most.spp - least.spp);
-        const double seconds = (most.seconds - least.seconds) / samples, cpu = (most.cpu - least.cpu) / samples;
-        for (std::size_t i = first; i < first + budgets; ++i) {
-            shots[i].seconds = seconds * shots[i].spp;
-            shots[i].cpu = cpu * shots[i].spp;
-        }
-    }
-}
-
 Json read_json(const fs::path &file) {
     std::ifstream in(file);
     return Json::parse(in);
@@ -112,7 +99,8 @@ PeerShots shoot_peer(const std::string &name, const Scenario &scenario, const st
         else if (shot.seed > 0)
             out.series.shots.push_back(std::move(shot));
     }
-    take_slopes(out.series.shots, budgets.size());
+    take_slopes(out.series.shots, budgets.size(), &Shot::seconds);
+    take_slopes(out.series.shots, budgets.size(), &Shot::cpu);
     return out;
 }
 

@@ -56,6 +56,14 @@ double level_of(const compare::Estimate &picture) {
     return sum / (3 * double(picture.mean.size()));
 }
 
+void take_slopes(std::vector<Shot> &shots, std::size_t budgets, double Shot::*clock) {
+    for (std::size_t first = 0; first < shots.size(); first += budgets) {
+        const Shot &least = shots[first], &most = shots[first + budgets - 1];
+        const double a_sample = (most.*clock - least.*clock) / double(most.spp - least.spp);
+        for (std::size_t i = first; i < first + budgets; ++i) shots[i].*clock = a_sample * shots[i].spp;
+    }
+}
+
 Shot shoot(const device::Device &device, const scene::Scene &scene, const Mode &mode, std::uint32_t spp,
            std::uint32_t seed, render::Startup *startup) {
     Setup setup{scene, {}};

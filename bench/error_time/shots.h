@@ -10,7 +10,7 @@ namespace nacre::bench {
 struct Shot {
     std::uint32_t spp = 0, seed = 0;
     double seconds = 0; // of sampling alone
-    double cpu = 0;     // of all threads while it was rendered
+    double cpu = 0;     // of all threads; of the whole picture, until take_slopes
     compare::Estimate picture;
 };
 
@@ -35,6 +35,10 @@ compare::Estimate mean_of(std::span<const compare::Estimate *const> pictures);
 double level_of(const compare::Estimate &picture);
 
 Reference reference_of(const std::vector<compare::Estimate> &renders);
+
+/// Turns times of whole pictures, with what is done once per picture, into those of sampling: what a seed's largest
+/// budget takes longer than its smallest, per sample. The shots of a seed follow one another, smallest first.
+void take_slopes(std::vector<Shot> &shots, std::size_t budgets, double Shot::*clock);
 
 /// Renders. Every call makes a session of its own.
 Shot shoot(const device::Device &device, const scene::Scene &scene, const Mode &mode, std::uint32_t spp,
