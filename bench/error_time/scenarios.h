@@ -10,7 +10,6 @@ struct Scenario {
     std::string name;
     std::string shows; // one line
     scene::Scene scene;
-    bool peers = true; // other renderers can be given the same
 };
 
 /// The bear, a slab lit from behind, dense and thin balls, and the memo's head where the folders of NACRE_ASSETS have

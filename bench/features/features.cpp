@@ -23,7 +23,7 @@ struct Options {
 
 struct Side {
     double build = 0;                 // seconds of compiling and code generation
-    double sample = 0;                // microseconds
+    double sample = 0;                // microseconds, the median of three runs
     std::size_t code = 0, memory = 0; // bytes
     std::vector<std::string> missing; // buffers that are not there
 };
@@ -86,10 +86,15 @@ std::optional<Side> measure(const fs::path &scene, bool generic, const Options &
     const std::string more = generic ? "--generic" : "";
     const auto first = render(scratch, scene, more + " --spp 1", options);
     if (!first) return {};
-    const Json warm = *render(scratch, scene, fmt::format("{} --spp {}", more, options.spp), options);
+    std::vector<double> samples;
+    Json warm;
+    for (int run = 0; run < 3; ++run) {
+        warm = *render(scratch, scene, fmt::format("{} --spp {}", more, options.spp), options);
+        samples.push_back(1e6 * double(warm["sampling_s"]) / double(warm["samples"]));
+    }
     Side side;
     side.build = double((*first)["startup"]["compile_s"]) + double((*first)["startup"]["codegen_s"]);
-    side.sample = 1e6 * double(warm["sampling_s"]) / double(warm["samples"]);
+    side.sample = median(samples);
     side.code = code_bytes(scratch.path / "cache");
     side.memory = warm["memory"]["total"];
     for (const auto &[name, bytes] : warm["memory"].items())
