@@ -50,7 +50,7 @@ struct Error {
 };
 
 Error error_of(const Row &row) {
-    constexpr std::size_t anisotropies = 19;
+    constexpr std::size_t anisotropies = 11;
     constexpr int colors = 200;
     Error error;
     std::mutex guard;
