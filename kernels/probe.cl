@@ -232,7 +232,7 @@ void probe_guide(Probe probe, global const GuideMode *modes, GuideLanes *guide) 
     guide->outward.x = guide->outward.y = guide->offset = 0.0f;
     guide->outward.z = -1.0f;
     guide->thickness = probe.thickness > 0.0f ? probe.thickness : probe.thickness < 0.0f ? -2.0f * probe.thickness : GUIDE_THICK;
-    guide->share = guide_share(probe.bleed);
+    guide->share = guide_share(GUIDE_SHARE, probe.bleed);
     guide->far_light = probe.a;
     guide->tries = 0u;
     mode_load(&guide->x, 0u, modes, probe.walk_anisotropy.x);

@@ -5,12 +5,21 @@
 #include "shared/view.h"
 #include "walk/walk.h"
 
-// function: 0 log, 1 exp, 2 log1p, 3 expm1, 4 sine and 5 cosine of turns, 6 random_unit of bits.
+// Built-ins that the kernels use where paths are alone, lane by lane.
+#define EACH_LANE(y, x, f)                                                                                             \
+    for (uint l = 0u; l < LANES; ++l) {                                                                                \
+        const float v = LANE_FLOAT(x, l);                                                                              \
+        LANE_FLOAT(y, l) = f;                                                                                          \
+    }
+
+// function: 0 log, 1 exp, 2 log1p, 3 expm1, 4 sine and 5 cosine of turns, 6 random_unit of bits; built-ins: 7 square root,
+// 8 reciprocal, 9 x x - 1 rounded once (fma), 10 reciprocal square root, 11 atan2(x, 1), 12 atan2(1, x), 13 length of
+// (x, x, x), 14 the x of (x, x, x) normalised.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_function(
     global const real *in, global real *out, uint function) {
     const size_t i = get_global_id(0);
     const real x = in[i];
-    real s, c;
+    real s, c, y = x;
     switch (function) {
     case 0: out[i] = lane_log(x); break;
     case 1: out[i] = lane_exp(x); break;
@@ -18,7 +27,15 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_functi
     case 3: out[i] = lane_expm1(x); break;
     case 4: sincos_turns(x, &s, &c); out[i] = s; break;
     case 5: sincos_turns(x, &s, &c); out[i] = c; break;
-    default: out[i] = lane_unit(as_natural(x));
+    case 6: out[i] = lane_unit(as_natural(x)); break;
+    case 7: out[i] = sqrt(x); break;
+    case 8: out[i] = 1.0f / x; break;
+    case 9: out[i] = fma(x, x, (real)(-1.0f)); break;
+    case 10: EACH_LANE(y, x, rsqrt(v)) out[i] = y; break;
+    case 11: EACH_LANE(y, x, atan2(v, 1.0f)) out[i] = y; break;
+    case 12: EACH_LANE(y, x, atan2(1.0f, v)) out[i] = y; break;
+    case 13: EACH_LANE(y, x, length((float3)(v))) out[i] = y; break;
+    default: EACH_LANE(y, x, normalize((float3)(v)).x) out[i] = y;
     }
 }
 

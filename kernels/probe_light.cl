@@ -2,18 +2,19 @@
 #include "light/light.h"
 #include "shared/view.h"
 
-// Draws seen from `position`, independent of each other. out, four float4 each: direction and distance (0: nothing drawn);
+// Draws seen from `position` with the normal `normal`, independent of each other. out, four float4 each: direction and distance (0: nothing drawn);
 // radiance over density, and density; and for an image environment as light 0, looked up again from the direction:
 // coordinates in texels and density; radiance.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_light(
-    SCENE_PARAMETERS, float4 position, uint seed, uint count, global float4 *out) {
+    SCENE_PARAMETERS, float4 position, float4 normal, uint seed, uint count, global float4 *out) {
     Scene view = {SCENE_ARGUMENTS};
     const Scene *scene = &view;
     const uint i = get_global_id(0);
     if (i >= count) return;
     const Sampler sampler = sampler_of(seed, i, 0u, SOBOL_VERTICES);
+    const Receiver receiver = receiver_at(position.xyz, normal.xyz);
     LightSample sample;
-    const bool drawn = light_sample(scene, sampler, position.xyz, &sample);
+    const bool drawn = light_sample(scene, sampler, &receiver, &sample);
     for (uint k = 0; k < 4u; ++k) out[4u * i + k] = (float4)(0.0f);
     if (!drawn) return;
     out[4u * i] = (float4)(sample.direction, sample.distance);

@@ -1,4 +1,5 @@
 // Entry points of the renderer. Their names are stable, for profilers.
+#include "exact/builtins.h"
 #include "film/accumulate.h"
 #include "guide/sides.h"
 #include "path/source.h"

@@ -5,6 +5,8 @@
 
 #include "film/layers.h"
 
+#pragma OPENCL FP_CONTRACT OFF
+
 // `layers`: of the first sample's surface. `sum`: its planes.
 void film_add_surface(uint samples, uint each, global const float4 *layers, global float4 *sum) {
     float4 albedo = sum[0], normal = sum[1];
@@ -38,14 +40,18 @@ void film_add_scatter(uint samples, uint each, global const float4 *radiance, gl
 void film_accumulate(const Scene *scene, uint pixel, uint samples, uint slot, global const float4 *radiance,
                      global const float4 *layers, uint planes, global float4 *film) {
     global float4 *sum = film + pixel * planes;
-    float4 total = sum[FILM_RADIANCE], square = sum[FILM_SQUARE];
+    float4 total = sum[FILM_RADIANCE], square = sum[FILM_SQUARE], rest = sum[FILM_REST];
     for (uint i = 0; i < samples; ++i) {
         const float4 value = radiance[slot + i];
-        total += value;
+        // Knuth's exact sum (The Art of Computer Programming 2, 4.2.2): next + its rest is total + value to the last bit.
+        const float4 next = total + value, added = next - total;
+        rest += (total - (next - added)) + (value - added);
+        total = next;
         square += value * value;
     }
     sum[FILM_RADIANCE] = total;
     sum[FILM_SQUARE] = square;
+    sum[FILM_REST] = rest;
     const uint each = layers_each(scene), surface = layers_of_surface(scene);
     if (HAS(SURFACE_AOV)) film_add_surface(samples, each, layers + slot * each, sum + FILM_PLANES);
     if (HAS(SCATTER_AOV))

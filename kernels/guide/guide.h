@@ -18,12 +18,6 @@
 
 #define GUIDED (HAS(GUIDE_EIGEN) || HAS(GUIDE_DWIVEDI))
 
-// Share of the guided techniques; the rest is classical, which bounds a step's weight by 1 / (1 - GUIDE_SHARE). Measured in
-// half-spaces and slabs: .95 is no better, .8 worse by a tenth to a half.
-#ifndef GUIDE_SHARE
-#define GUIDE_SHARE 0.9f
-#endif
-
 // The probe's ray begins beyond the surface that it starts from; an object that it finds no end of is this thick.
 #define GUIDE_PROBE_START 1e-5f
 #define GUIDE_THICK 1e9f

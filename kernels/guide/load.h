@@ -31,7 +31,7 @@ void mode_load(ModeLanes *lanes, uint l, global const GuideMode *mode, float g) 
 }
 
 // Under bleed the modes are poor guides, whose steps' weights multiply.
-float guide_share(float bleed) { return GUIDE_SHARE / (1.0f + 0.2f * bleed); }
+float guide_share(float share, float bleed) { return share / (1.0f + 0.2f * bleed); }
 
 void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path) {
     global const Material *material = scene->materials + scene->objects[path->object].material;
@@ -40,7 +40,7 @@ void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path)
     LANE_FLOAT(guide->outward.z, l) = path->outward.z;
     LANE_FLOAT(guide->offset, l) = path->outward.w;
     LANE_FLOAT(guide->thickness, l) = path->thickness;
-    LANE_FLOAT(guide->share, l) = scene->objects[path->object].guided ? guide_share(path->bleed) : 0.0f;
+    LANE_FLOAT(guide->share, l) = guide_share(scene->objects[path->object].guided, path->bleed);
     LANE_FLOAT(guide->far_light, l) = path->far_light;
     LANE_UINT(guide->tries, l) = path->tries;
     const float4 g = path->anisotropy;

@@ -10,15 +10,16 @@
 float luminance(float3 rgb) { return dot(rgb, (float3)(0.2126f, 0.7152f, 0.0722f)); }
 
 // Radiance from where a ray goes that a surface sent out with density `density`; nothing from what it lights.
-float3 side_light_met(const Scene *scene, Ray ray, float density) {
+float3 side_light_met(const Scene *scene, Ray ray, float3 normal, float density) {
     PROFILED(uint visits[2] = {0u, 0u};) // nobody's rays
     const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, scene->frame->bvh_root PROFILED(, visits));
     const bool missed = hit.block == BVH_NO_PRIMITIVE;
-    float3 light = light_of_rects(scene, ray.origin, ray.direction, missed ? MAXFLOAT : hit.t, density, false);
-    if (missed) return light + light_of_sky(scene, ray.direction, density, false);
+    const Receiver receiver = receiver_at(ray.origin, normal);
+    float3 light = light_of_rects(scene, &receiver, ray.direction, missed ? MAXFLOAT : hit.t, density, false);
+    if (missed) return light + light_of_sky(scene, &receiver, ray.direction, density, false);
     if (HAS(EMISSION)) {
         const Surface surface = surface_at(scene, ray, hit);
-        light += light_of_surface(scene, surface.primitive, surface.object, surface.uv, hit.t,
+        light += light_of_surface(scene, &receiver, surface.primitive, surface.object, surface.uv, hit.t,
                                   -dot(ray.direction, surface.geometric), density);
     }
     return light;
@@ -39,7 +40,7 @@ float side_light(const Scene *scene, uint i, float3 position, float3 normal) {
             sum += luminance(shadow.light);
         const float3 direction = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), normal, normal);
         const Ray ray = path_ray(offset_point(position, error, normal, direction), direction);
-        sum += luminance(side_light_met(scene, ray, lambert_pdf(direction, normal, normal)));
+        sum += luminance(side_light_met(scene, ray, normal, lambert_pdf(direction, normal, normal)));
     }
     return sum / SIDE_SAMPLES;
 }

@@ -1,12 +1,12 @@
-// Lights as a whole: draw one by its share of the power and a point on it; how dense that draw is for a direction that the
+// Lights as a whole: draw one (light/choice.h) and a point on it; how dense that draw is for a direction that the
 // BSDF found; what a ray meets. An environment of constant radiance is never drawn: the BSDF's own directions serve it best.
 #ifndef NACRE_LIGHT_LIGHT_H
 #define NACRE_LIGHT_LIGHT_H
 
 #include "bsdf/material.h"
 #include "geometry/object.h"
+#include "light/choice.h"
 #include "light/environment.h"
-#include "random/sampler.h"
 
 typedef struct {
     float3 direction; // unit, from the point that is lit
@@ -19,9 +19,9 @@ typedef struct {
 // Balance heuristic of two ways to find a direction.
 float light_weight(float mine, float other) { return mine / (mine + other); }
 
-// Density per steradian of drawing the point at `distance` on a flat light.
-float light_area_density(global const Light *light, float distance, float cosine) {
-    return light->probability * distance * distance / (light->normal.w * cosine);
+// Density per steradian of drawing the point at `distance` on a flat light that is drawn with `chance`.
+float light_area_density(global const Light *light, float chance, float distance, float cosine) {
+    return chance * distance * distance / (light->normal.w * cosine);
 }
 
 float3 light_emission(const Scene *scene, uint object, float2 uv) {
@@ -30,7 +30,8 @@ float3 light_emission(const Scene *scene, uint object, float2 uv) {
            (material_number(scene, material, PARAMETER_emission_luminance, uv) * scene->frame->emission_scale);
 }
 
-bool light_sample_flat(const Scene *scene, global const Light *light, float2 xi, float3 position, LightSample *sample) {
+bool light_sample_flat(const Scene *scene, global const Light *light, float chance, float2 xi, float3 position,
+                       LightSample *sample) {
     float a = xi.x, b = xi.y;
     const bool triangle = light->kind == LIGHT_TRIANGLE;
     if (triangle) { // uniform on the triangle
@@ -43,7 +44,7 @@ bool light_sample_flat(const Scene *scene, global const Light *light, float2 xi,
     sample->direction = to * (1.0f / sample->distance);
     const float cosine = -dot(sample->direction, light->normal.xyz);
     if (!(cosine > 0.0f && sample->distance > 0.0f)) return false;
-    sample->density = light_area_density(light, sample->distance, cosine);
+    sample->density = light_area_density(light, chance, sample->distance, cosine);
     // Off the surface by more than rounding of the point and of a ray's test from that far: some ulp of both.
     const float3 size = fabs(point);
     const float rounding = 1e-6f * (fmax(size.x, fmax(size.y, size.z)) + sample->distance);
@@ -62,21 +63,18 @@ bool light_sample_flat(const Scene *scene, global const Light *light, float2 xi,
     return true;
 }
 
-// Draws a light and a direction to it as seen from `position`. False: it does not light that point.
-bool light_sample(const Scene *scene, Sampler sampler, float3 position, LightSample *sample) {
-    const uint count = scene->frame->light_count;
-    const uint2 choice = draw_words(sampler, DRAW_LIGHT);
+// Draws a light and a direction to it as seen from `receiver`. False: it does not light that point.
+bool light_sample(const Scene *scene, Sampler sampler, const Receiver *receiver, LightSample *sample) {
+    const float3 position = receiver->position;
     const float2 xi = draw_pair(sampler, DRAW_LIGHT_POINT);
-    const uint slot = mul_hi(choice.x, count);
-    const AliasEntry entry = scene->light_table[slot];
-    global const Light *light = scene->lights + (random_unit(choice.y) < entry.threshold ? slot : entry.other);
-    const float probability = light->probability;
-    if (!(probability > 0.0f)) return false;
+    global const Light *light = scene->lights;
+    const float chance = light_choose(scene, sampler, receiver, &light);
+    if (!(chance > 0.0f)) return false;
     if (HAS(ENVIRONMENT_IMAGE) && light->kind == LIGHT_ENVIRONMENT_IMAGE) {
         sample->distance = MAXFLOAT;
         sample->direction = environment_sample(scene, light, draw_words(sampler, DRAW_TEXEL), xi, &sample->radiance,
                                                &sample->density);
-        sample->density *= probability;
+        sample->density *= chance;
         if (!(sample->density > 0.0f)) return false;
         sample->radiance *= 1.0f / sample->density;
         return true;
@@ -84,7 +82,7 @@ bool light_sample(const Scene *scene, Sampler sampler, float3 position, LightSam
     if (HAS(DELTA_LIGHT) && light->kind == LIGHT_DIRECTIONAL) {
         sample->distance = MAXFLOAT;
         sample->direction = light->u.xyz;
-        sample->radiance = light->radiance.xyz * (1.0f / probability);
+        sample->radiance = light->radiance.xyz * (1.0f / chance);
         sample->density = 0.0f;
         return true;
     }
@@ -95,17 +93,17 @@ bool light_sample(const Scene *scene, Sampler sampler, float3 position, LightSam
         sample->distance = sqrt(distance2);
         sample->target = light->position.xyz;
         sample->direction = to * (1.0f / sample->distance);
-        sample->radiance = light->radiance.xyz * (1.0f / (distance2 * probability));
+        sample->radiance = light->radiance.xyz * (1.0f / (distance2 * chance));
         sample->density = 0.0f;
         return true;
     }
-    if (HAS(RECT) || HAS(EMISSION)) return light_sample_flat(scene, light, xi, position, sample);
+    if (HAS(RECT) || HAS(EMISSION)) return light_sample_flat(scene, light, chance, xi, position, sample);
     return false;
 }
 
-// What a ray that leaves the scene finds. `density`: of the BSDF that chose its direction, < 0: lights were not sampled
-// there, so this is the only way (the camera's rays: then `camera` asks for what it may see).
-float3 light_of_sky(const Scene *scene, float3 direction, float density, bool camera) {
+// What a ray that leaves the scene finds. `density`: of the BSDF that chose its direction at `receiver`, < 0: lights were not
+// sampled there, so this is the only way (the camera's rays: then `camera` asks for what it may see).
+float3 light_of_sky(const Scene *scene, const Receiver *receiver, float3 direction, float density, bool camera) {
     float3 sum = (float3)(0.0f);
     if (!(HAS(ENVIRONMENT) || HAS(ENVIRONMENT_IMAGE))) return sum;
     for (uint i = 0; i < scene->frame->environment_count; ++i) {
@@ -113,8 +111,10 @@ float3 light_of_sky(const Scene *scene, float3 direction, float density, bool ca
         if (camera && !light->visible) continue;
         if (HAS(ENVIRONMENT_IMAGE) && light->kind == LIGHT_ENVIRONMENT_IMAGE) {
             const float2 at = environment_coordinates(light, direction);
-            const float drawn = density < 0.0f ? 0.0f : light->probability * environment_density(scene, light, at);
-            sum += environment_image(scene, light, at) * (density < 0.0f ? 1.0f : light_weight(density, drawn));
+            float weight = 1.0f;
+            if (density >= 0.0f)
+                weight = light_weight(density, light_chance(scene, light, receiver) * environment_density(scene, light, at));
+            sum += environment_image(scene, light, at) * weight;
         } else {
             sum += light->radiance.xyz;
         }
@@ -122,15 +122,16 @@ float3 light_of_sky(const Scene *scene, float3 direction, float density, bool ca
     return sum;
 }
 
-// Rects on the way, up to t_max. They emit to one side and block nothing.
-float3 light_of_rects(const Scene *scene, float3 origin, float3 direction, float t_max, float density, bool camera) {
+// Rects on the way from `receiver`, up to t_max. They emit to one side and block nothing.
+float3 light_of_rects(const Scene *scene, const Receiver *receiver, float3 direction, float t_max, float density,
+                      bool camera) {
     float3 sum = (float3)(0.0f);
     if (!HAS(RECT)) return sum;
     for (uint i = 0; i < scene->frame->rect_count; ++i) {
         global const Light *light = scene->lights + scene->frame->rect_first + i;
         const float cosine = -dot(direction, light->normal.xyz);
         if ((camera && !light->visible) || !(cosine > 0.0f)) continue;
-        const float3 from = origin - light->position.xyz;
+        const float3 from = receiver->position - light->position.xyz;
         const float t = dot(from, light->normal.xyz) / cosine;
         if (!(t > 0.0f && t < t_max)) continue;
         const float3 at = from + t * direction, u = light->u.xyz, v = light->v.xyz;
@@ -138,20 +139,24 @@ float3 light_of_rects(const Scene *scene, float3 origin, float3 direction, float
         const float inverse = 1.0f / (uu * vv - uv * uv);
         const float a = (au * vv - av * uv) * inverse, b = (av * uu - au * uv) * inverse;
         if (!(a >= 0.0f && a <= 1.0f && b >= 0.0f && b <= 1.0f)) continue;
-        sum += light->radiance.xyz * (density < 0.0f ? 1.0f : light_weight(density, light_area_density(light, t, cosine)));
+        float weight = 1.0f;
+        if (density >= 0.0f)
+            weight = light_weight(density, light_area_density(light, light_chance(scene, light, receiver), t, cosine));
+        sum += light->radiance.xyz * weight;
     }
     return sum;
 }
 
-// Light of an emitting triangle that a ray hit from its counter-clockwise side, after `distance`.
-float3 light_of_surface(const Scene *scene, uint primitive, uint object, float2 uv, float distance, float cosine,
-                        float density) {
+// Light of an emitting triangle that a ray from `receiver` hit from its counter-clockwise side, after `distance`.
+float3 light_of_surface(const Scene *scene, const Receiver *receiver, uint primitive, uint object, float2 uv, float distance,
+                        float cosine, float density) {
     const uint first = scene->objects[object].first_light;
     if (first == NO_LIGHT || !(cosine > 0.0f)) return (float3)(0.0f);
     const float3 emission = light_emission(scene, object, uv);
     if (density < 0.0f) return emission;
     global const Light *light = scene->lights + first + (primitive - scene->objects[object].first_primitive);
-    return emission * light_weight(density, light_area_density(light, distance, cosine));
+    return emission *
+           light_weight(density, light_area_density(light, light_chance(scene, light, receiver), distance, cosine));
 }
 
 #endif

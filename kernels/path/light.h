@@ -19,7 +19,8 @@ float light_share(const LightSample *sample, float pdf) {
 Shadow light_lambert(const Scene *scene, const Path *path, Sampler sampler, float3 position, float3 error, float3 shading,
                      float3 geometric) {
     LightSample sample;
-    if (!scene_samples_lights(scene) || !light_sample(scene, sampler, position, &sample)) return no_shadow();
+    const Receiver receiver = receiver_at(position, geometric);
+    if (!scene_samples_lights(scene) || !light_sample(scene, sampler, &receiver, &sample)) return no_shadow();
     const float pdf = lambert_pdf(sample.direction, shading, geometric);
     if (!(pdf > 0.0f)) return no_shadow();
     return shadow_of(position, error, geometric, &sample,

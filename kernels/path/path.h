@@ -97,8 +97,9 @@ Shadow path_scatter(const Scene *scene, Path *path, global const Material *mater
     const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
     const float2 lobe = draw_pair(sampler, DRAW_LOBE);
     LightSample sample;
+    const Receiver receiver = receiver_at(surface->position, surface->geometric);
     const bool lit = (HAS(SPECULAR) || HAS(DIFFUSE)) && scene_samples_lights(scene) &&
-                     light_sample(scene, sampler, surface->position, &sample) &&
+                     light_sample(scene, sampler, &receiver, &sample) &&
                      dot(sample.direction, surface->geometric) > 0.0f;
     float3 direct = (float3)(0.0f);
     bool reflected = false;
@@ -129,8 +130,10 @@ Shadow path_scatter(const Scene *scene, Path *path, global const Material *mater
         }
     }
     path->vertex += 1u;
-    if (path->state == PATH_RAY)
+    if (path->state == PATH_RAY) {
         path->position.xyz = offset_point(surface->position, surface->error, surface->geometric, path->direction.xyz);
+        path->outward.xyz = surface->geometric;
+    }
     if (!lit) return no_shadow();
     return shadow_of(surface->position, surface->error, surface->geometric, &sample, direct * sample.radiance);
 }
@@ -160,16 +163,17 @@ Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global
     counts->value[COUNTER_rays] += 1u;
     const bool camera = path->hits == 0u, missed = hit.block == BVH_NO_PRIMITIVE;
     const float density = path->direction.w;
-    float3 light = light_of_rects(scene, ray.origin, ray.direction, missed ? MAXFLOAT : hit.t, density, camera);
+    const Receiver receiver = receiver_at(ray.origin, path->outward.xyz);
+    float3 light = light_of_rects(scene, &receiver, ray.direction, missed ? MAXFLOAT : hit.t, density, camera);
     if (missed) {
-        light += light_of_sky(scene, ray.direction, density, camera);
+        light += light_of_sky(scene, &receiver, ray.direction, density, camera);
         path->radiance.xyz += path->throughput.xyz * light;
         path->state = PATH_DONE;
         return no_shadow();
     }
     Surface surface = surface_at(scene, ray, hit);
     if (HAS(EMISSION))
-        light += light_of_surface(scene, surface.primitive, surface.object, surface.uv, hit.t,
+        light += light_of_surface(scene, &receiver, surface.primitive, surface.object, surface.uv, hit.t,
                                   -dot(ray.direction, surface.geometric), density);
     path->radiance.xyz += path->throughput.xyz * light;
     if (dot(ray.direction, surface.geometric) > 0.0f) { // both sides look alike: normals face the viewer

@@ -12,7 +12,7 @@
 // The path is to walk, from `position` below a surface with the unit normal `outward`.
 void path_below(const Scene *scene, Path *path, float3 position, float3 outward) {
     path->state = PATH_WALK;
-    if (!GUIDED || !scene->objects[path->object].guided) return;
+    if (!GUIDED || !(scene->objects[path->object].guided > 0.0f)) return;
     guide_begin(scene, path, position, outward);
     path->state = PATH_THICKNESS;
 }
@@ -58,6 +58,7 @@ Shadow path_exit(const Scene *scene, Path *path, float3 position, float3 error, 
     path->direction.xyz = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), shading, geometric);
     path->direction.w = lambert_pdf(path->direction.xyz, shading, geometric);
     path->position.xyz = offset_point(position, error, geometric, path->direction.xyz);
+    path->outward.xyz = geometric;
     path->vertex += 1u;
     return shadow;
 }

@@ -19,7 +19,7 @@ struct Path {
     float4 sigma;      // walk: extinction per channel
     float4 albedo;     // walk: single-scattering albedo per channel
     float4 anisotropy; // walk: g per channel
-    float4 outward;    // walk: the near side's normal, as its guide sees it; w: dot(normal, entry)
+    float4 outward;    // ray: geometric normal where it starts; walk: the near side's normal, as its guide sees it; w: dot(normal, entry)
     float bleed;
     float first_number; // walk: the random number of its first flight
     uint slot;         // of the batch: where its radiance goes
@@ -67,11 +67,13 @@ typedef struct Batch Batch;
 // and the number of walks, once and the number of scatters, more often).
 #define FILM_RADIANCE 0 // rgb, alpha
 #define FILM_SQUARE 1   // squares of rgb
-#define FILM_PLANES 2
+#define FILM_REST 2     // what the sums of rgb and alpha have lost by rounding
+#define FILM_PLANES 3
 #define FILM_SURFACE_PLANES 2
 #define FILM_SCATTER_PLANES 3
 
-// Samples are added up in float within aligned blocks of this many, the blocks in double on the host.
+// Samples are added up in float within aligned blocks of this many, keeping what is rounded off, the blocks in double on the
+// host.
 #define FILM_BLOCK 64
 
 // A program with -DTILE_LIST (adaptive renders) takes its pixels from a list of tiles, TILE x TILE for each entry; its film is in

@@ -94,7 +94,7 @@ struct Object {
     uint first_light; // Light of its first triangle where the material emits, else NO_LIGHT
     uint first_primitive;
     uint closed; // every edge has two triangles: a walk can only leave through the surface
-    uint guided; // its walks are
+    float guided; // share of the guided techniques in its walks, 0: they are classical
     uint pad[2];
     Clearance clearance; // for walks
 };

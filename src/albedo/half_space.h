@@ -7,11 +7,12 @@ namespace nacre::albedo {
 /// Diffuse reflectance of a half-space, in float64 and without random numbers. albedo in [0, 1], g in [-.99, .99],
 /// bleed in [0, 4]. For the lambert entry within 1e-8 at g = 0 and at bleed 0 (|g| <= .95), else within 5e-6; for the
 /// uniform one within 1e-8 at g = 0, else 5e-5: most of it at |g| > .9. About a fifth of a second where bleed > 0.
+/// Throws std::runtime_error where imbedding does not converge: renewal flights of bleed > 1.1, similarities below .1.
 Reflectance reflectance(double albedo, double g, double bleed, shared::FlightLaw law);
 
-/// The colours of a half-space for all albedos, from some reflectances between which it interpolates to 1e-7. Albedos
-/// are given by their similarity s = sqrt((1 - albedo) / (1 - g albedo)) (van de Hulst 1980), in which colour is
-/// smooth.
+/// The colours of a half-space for all albedos, from some reflectances between which it interpolates: to 2e-5 for
+/// the lambert entry, to 2e-4 for the uniform one at g = .98. Albedos are given by their similarity s = sqrt((1 -
+/// albedo) / (1 - g albedo)) (van de Hulst 1980), in which colour is smooth.
 class HalfSpace {
   public:
     HalfSpace(double g, double bleed, shared::FlightLaw law);

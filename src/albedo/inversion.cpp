@@ -37,13 +37,4 @@ double albedo(Inversion inversion, double color, const Medium &medium) {
     return std::clamp(found, 0.0, 1.0);
 }
 
-double table_color(double albedo, const Medium &medium) {
-    double low = 0, high = 1;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (low + high) / 2;
-        (nacre::albedo::albedo(INVERSION_TABLE, middle, medium) < albedo ? low : high) = middle;
-    }
-    return (low + high) / 2;
-}
-
 } // namespace nacre::albedo

@@ -15,7 +15,4 @@ struct Medium {
 /// .95]: others take the nearest.
 double albedo(shared::Inversion inversion, double color, const Medium &medium);
 
-/// Colour of a half-space of this albedo by the table, the inverse of albedo(INVERSION_TABLE, ...).
-double table_color(double albedo, const Medium &medium);
-
 } // namespace nacre::albedo

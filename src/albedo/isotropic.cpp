@@ -25,7 +25,7 @@ double dispersion(double albedo, double k, const FlightNodes &flight) {
 
 Reflectance reflectance_isotropic(double albedo, double bleed, shared::FlightLaw law) {
     const FlightNodes flight = flight_nodes(bleed, law, 0);
-    // In u = ln k the integral's kernel is sech(u + ln z) / 2: the trapezoidal rule is exact to 1e-12 with this step.
+    // In u = ln k the integral's kernel is sech(u + ln z) / 2: the trapezoidal rule is exact to 1e-10 with this step.
     constexpr double step = 0.25;
     const GaussNodes cosine = gauss_nodes(32);
     const double nearest = std::log(cosine.point[0] * cosine.point[0] / flight.extinction.maxCoeff()),

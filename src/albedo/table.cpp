@@ -53,6 +53,7 @@ double table_similarity(std::span<const float> table, double color, double g, do
                         shared::Entry entry) {
     if (color <= 0) return 1;
     if (color >= 1) return 0;
+    bleed = std::clamp(bleed, 0.0, largest_bleed);
     const Cubic across_g = cubic(node_of_anisotropy(g), table_anisotropies);
     const Cubic across_bleed = cubic(node_of_bleed(bleed), table_bleeds);
     std::array<double, table_colors> column{};

@@ -22,9 +22,13 @@ inline double node_of_bleed(double bleed) {
     return std::sqrt(std::clamp(bleed / largest_bleed, 0.0, 1.0)) * (table_bleeds - 1);
 }
 
-/// Dense at white, where similarities of reciprocal flights with bleed are the powers of small numbers.
-inline double color_at(double node) { return 1 - std::pow(1 - node / (table_colors - 1), 2); }
-inline double node_of_color(double color) { return (1 - std::sqrt(1 - color)) * (table_colors - 1); }
+/// Dense at black, where forward scattering bends the curve, and at white, where similarities of reciprocal flights
+/// with bleed are powers of small numbers.
+inline double color_at(double node) {
+    const double at = node / (table_colors - 1);
+    return 1 - std::pow(1 - at * at, 2);
+}
+inline double node_of_color(double color) { return std::sqrt(1 - std::sqrt(1 - color)) * (table_colors - 1); }
 
 /// The table holds similarity ^ (1 / power): for reciprocal flights similarity goes like (1 - color)^bleed near white.
 inline double table_power(double bleed, shared::FlightLaw law) {

@@ -95,9 +95,8 @@ Run add_albedo(CLI::App &program) {
     command->add_flag("--json", options->as_json, "Print JSON");
     command->require_subcommand(0, 1);
     const Run others[] = {add_albedo_chart(*command), add_albedo_build(*command), add_albedo_fit(*command)};
-    command->footer("\"expected\" is the colour of a half-space by discrete ordinates, without random numbers; a cap "
-                    "on scatters and\n"
-                    "refraction at the surface are not in it.\n\n"
+    command->footer("\"expected\" is the colour of a half-space by discrete ordinates, without random numbers,\n"
+                    "for a bleed of 4 at most; a cap on scatters and refraction at the surface are not in it.\n\n"
                     "Examples:\n"
                     "  nacre albedo --color 0.8,0.5,0.4 --g 0.8 --bleed 0.5\n"
                     "  nacre albedo --color 0.8 --g 0.8 --inversion van_de_hulst\n"

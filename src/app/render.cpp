@@ -25,6 +25,7 @@ int render_scene(const RenderOptions &options) {
                             {.layers = layers,
                              .crop = crop,
                              .generic = options.generic,
+                             .exact = options.exact,
                              .error = options.error.value_or(0),
                              .seconds = options.seconds.value_or(0),
                              .timeline = watch.timeline()});

@@ -83,6 +83,7 @@ void RenderOptions::add_to(CLI::App &command) {
         .add_option("--dump-kernel", dump_kernel,
                     "Write the kernel's source as it is compiled, its options, binary and build log into this folder")
         ->type_name("DIR");
+    command.add_flag("--exact", exact, "The same picture to the bit on every device that can; takes a little longer");
     command.add_flag("--strict", strict, "Fail if a sample is NaN or infinite");
     command.add_flag("--quiet", quiet, "No progress, no remarks");
 }

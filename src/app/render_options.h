@@ -17,7 +17,7 @@ struct RenderOptions {
     std::optional<std::string> aov;
     std::optional<std::uint32_t> spp, seed;
     std::optional<double> error, seconds;
-    bool generic = false, strict = false, quiet = false;
+    bool generic = false, exact = false, strict = false, quiet = false;
 
     void add_to(CLI::App &command);
     /// What is rendered and on what: SCENE, --set, --spp, --size, --seed, --device, --kernels, --generic.

@@ -2,6 +2,7 @@
 #include "device/cache.h"
 #include "device/dump.h"
 #include "device/error.h"
+#include "device/exact.h"
 #include "device/source.h"
 #include <chrono>
 #include <xxhash.h>
@@ -52,10 +53,11 @@ bool load(const Device &device, const std::string &key, const std::string &optio
 
 std::string options(const Device &device, const Variant &variant) {
     return fmt::format("-cl-std=CL1.2 -DFEATURES={:#x}u{} -DBVH_WIDTH={} -DBVH_VECTOR={} -DBVH_STACK={} -DLANES={} "
-                       "-DWORK_GROUP={}{}{}{}{}{}{}",
+                       "-DWORK_GROUP={}{}{}{}{}{}{}{}{}",
                        variant.features, variant.generic ? " -DGENERIC" : "", device.quirks.bvh_width,
                        int(device.quirks.bvh_vector), variant.bvh_stack, variant.lanes, device.quirks.work_group,
                        variant.profile ? " -DPROFILE" : "", variant.tile_list ? " -DTILE_LIST" : "",
+                       variant.exact ? " " : "", variant.exact ? exact_options(device) : "",
                        device.quirks.options.empty() ? "" : " ", device.quirks.options,
                        variant.extra.empty() ? "" : " ", variant.extra);
 }

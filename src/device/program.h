@@ -12,11 +12,13 @@ struct Variant {
     std::uint32_t bvh_stack = 64;    // entries of the traversal stack
     int lanes = 1;                   // walks side by side in one work-item
     bool profile = false;            // counts what shared/counters.h lists under PROFILE_LIST
+    bool exact = false;              // the same bits on every device
     bool tile_list = false;          // pixels come from a list of tiles: -DTILE_LIST, shared/path.h
     std::string extra;               // further options, for probes
 };
 
-/// Compiler options of a variant on a device. Always OpenCL C 1.2, never finite-math-only.
+/// Compiler options of a variant on a device. Always OpenCL C 1.2, never finite-math-only. Throws Error{Exit::device}
+/// where the device cannot be exact.
 std::string options(const Device &device, const Variant &variant);
 
 struct Program {

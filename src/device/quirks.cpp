@@ -27,8 +27,15 @@ Quirks quirks_of_platform(const DeviceInfo &info) {
          "PoCL does not vectorise divergent kernels: vectors are explicit, a work-group of one saves its loop. It "
          "caches machine code itself, in our private folder, and aborts on a binary it cannot read."},
         {"Oclgrind",
-         {.bvh_width = 8, .bvh_vector = true, .lanes = 1, .work_group = 1, .binary_cache = false},
-         "False alarms on 16 wide vectors; has no binaries."},
+         {.bvh_width = 8,
+          .bvh_vector = true,
+          .lanes = 1,
+          .work_group = 1,
+          .binary_cache = false,
+          .rounds_correctly = true},
+         "False alarms on 16 wide vectors; has no binaries. It divides and takes roots in double, which rounded to "
+         "float are "
+         "right."},
         {"llvmpipe",
          {.bvh_width = 4, .bvh_vector = false, .lanes = 1, .work_group = 8, .binary_cache = true, .steps = 32},
          "Mesa's rusticl on the CPU (its other devices are GPUs like any): fastest with scalar code and groups of 8. A "

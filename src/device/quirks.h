@@ -13,7 +13,8 @@ struct Quirks {
     // Steps that a path, or a worker that finds no new one, may take before it is suspended: some milliseconds, so that
     // no launch hangs on a few endless walks.
     int steps = 4096;
-    std::string options = {}; // of its compiler alone
+    bool rounds_correctly = false; // quotients and square roots, though it does not say so
+    std::string options = {};      // of its compiler alone
 };
 
 struct DeviceInfo;

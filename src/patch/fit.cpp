@@ -41,6 +41,18 @@ struct CurveResidual {
     }
 };
 
+/// Keeps a parameter near that of the last g: curves of six parameters have many fits alike, and polynomials of g are
+/// to go through them.
+struct SmoothResidual {
+    int parameter;
+    double last;
+    template <typename T> bool operator()(const T *p, T *residual) const {
+        residual[0] = smoothness * (p[parameter] / last - 1.0);
+        return true;
+    }
+    static constexpr double smoothness = 0.01;
+};
+
 struct ExponentialResidual {
     double g, value;
     template <typename T> bool operator()(const T *p, T *residual) const {
@@ -74,7 +86,8 @@ void solve(ceres::Problem &problem) {
 using Column = std::vector<Survey::Point>; // of one g, by albedo
 std::vector<Column> columns_of(const Survey &survey) {
     std::map<double, Column> columns;
-    for (const Survey::Point &point : survey.points) columns[point.g].push_back(point);
+    for (const Survey::Point &point : survey.points)
+        if (point.color > 2 * point.error) columns[point.g].push_back(point); // darker ones are noise
     std::vector<Column> sorted;
     for (auto &[g, column] : columns) sorted.push_back(std::move(column));
     return sorted;
@@ -86,7 +99,13 @@ Six fit_curve(const Column &column, Six start) {
         problem.AddResidualBlock(
             new ceres::AutoDiffCostFunction<CurveResidual, 1, 6>(new CurveResidual{point.color, point.albedo}), nullptr,
             start.data());
-    for (int i = 0; i < 6; ++i) problem.SetParameterLowerBound(start.data(), i, 1e-3);
+    const Six last = start;
+    for (int i = 0; i < 6; ++i) {
+        problem.AddResidualBlock(
+            new ceres::AutoDiffCostFunction<SmoothResidual, 1, 6>(new SmoothResidual{i, last[std::size_t(i)]}), nullptr,
+            start.data());
+        problem.SetParameterLowerBound(start.data(), i, 1e-3);
+    }
     solve(problem);
     return start;
 }
@@ -154,12 +173,10 @@ MemoFit fit_in_two_stages(const Survey &survey, const MemoFit &start) {
     std::vector<double> g;
     std::array<std::vector<double>, 6> parameters;
     const std::array<double, 9> b = flat(start.b), e = flat(start.e);
+    Six found = {start.a[0], exponential(b.data(), 0), start.c[0], start.d[0], exponential(e.data(), 0), start.f[0]};
     for (const Column &column : columns_of(survey)) {
-        const double at = column[0].g;
-        g.push_back(at);
-        const Six found = fit_curve(column, {polynomial(start.a.data(), at), exponential(b.data(), at),
-                                             polynomial(start.c.data(), at), polynomial(start.d.data(), at),
-                                             exponential(e.data(), at), polynomial(start.f.data(), at)});
+        g.push_back(column[0].g);
+        found = fit_curve(column, found);
         for (std::size_t i = 0; i < 6; ++i) parameters[i].push_back(found[i]);
     }
     return {fit_polynomial(g, parameters[0]),           fit_exponential(g, parameters[1], start.b),

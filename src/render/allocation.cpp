@@ -1,4 +1,5 @@
 #include "render/allocation.h"
+#include "render/film.h"
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +24,8 @@ std::size_t half_of(std::uint32_t entry) {
     return 2 * std::size_t(entry & ~SECOND_HALF) + (entry & SECOND_HALF ? 1 : 0);
 }
 
-/// Sums over the lit pixels of a tile. Dark ones are left out, as they are in the error that a picture is said to have.
+/// Sums over the lit pixels of a tile. Dark ones are left out, as they are in the error that a picture is said to have,
+/// and those whose sums no float holds: no number of samples makes them better.
 struct Lit {
     double mean = 0, variance = 0, count = 0; // over pixels and channels; variance: of one sample
     Lit &operator+=(const Lit &more) {
@@ -38,7 +40,7 @@ Lit lit_of(const std::array<double, 4> *pixels, double n) {
     Lit lit;
     for (std::uint32_t i = 0; i < tile_pixels; ++i) {
         const auto &[r, g, b, squares] = pixels[i];
-        if (!(r + g + b > 0)) continue;
+        if (!(r + g + b > 0) || !std::isfinite(r + g + b + squares)) continue;
         lit.count += 3;
         lit.mean += (r + g + b) / n;
         if (n > 1) lit.variance += std::max(0.0, squares - (r * r + g * g + b * b) / n) / (n - 1);
@@ -84,9 +86,10 @@ void Allocation::add(const std::vector<float4> &film) {
         for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
             const float4 *from = film.data() + (i * tile_pixels + pixel) * planes;
             auto &[r, g, b, squares] = pixels[pixel];
-            r += from[FILM_RADIANCE].x;
-            g += from[FILM_RADIANCE].y;
-            b += from[FILM_RADIANCE].z;
+            const float4 &sum = from[FILM_RADIANCE], &rest = from[FILM_REST];
+            r += whole_sum(sum.x, rest.x);
+            g += whole_sum(sum.y, rest.y);
+            b += whole_sum(sum.z, rest.z);
             squares += double(from[FILM_SQUARE].x) + from[FILM_SQUARE].y + from[FILM_SQUARE].z;
         }
     }

@@ -7,6 +7,8 @@ namespace nacre::render {
 
 using namespace shared;
 
+double whole_sum(double sum, double rest) { return std::isfinite(rest) ? sum + rest : sum; }
+
 std::uint32_t Layers::planes() const {
     return FILM_PLANES + (surface() ? FILM_SURFACE_PLANES : 0) + (scatter() ? FILM_SCATTER_PLANES : 0);
 }
@@ -31,6 +33,12 @@ void add_to(double *sums, const float4 *block, std::size_t values) {
         sums[4 * i + 2] += block[i].z;
         sums[4 * i + 3] += block[i].w;
     }
+}
+
+/// Value `value` of a pixel's planes.
+double sum_of(const double *sums, std::uint32_t value) {
+    if (value / 4 != FILM_RADIANCE) return sums[value];
+    return whole_sum(sums[value], sums[4 * FILM_REST + value % 4]);
 }
 
 } // namespace
@@ -60,29 +68,38 @@ std::uint64_t Film::total_samples() const {
     return total;
 }
 
-/// Value `value` of the planes; a half that has no samples has no say.
 double Film::mean(std::uint32_t pixel, std::uint32_t value) const {
     double mean = 0, having = 0;
     for (std::size_t half = 0; half < halves; ++half) {
         const std::size_t at = half * count + pixel;
         if (samples[at] == 0) continue;
-        mean += sums[at * planes * 4 + value] * (1.0 / samples[at]);
+        mean += sum_of(sums.data() + at * planes * 4, value) * (1.0 / samples[at]);
         having += 1;
     }
     return having > 1 ? mean / having : mean;
 }
 
-/// Of the mean, from the samples' own spread; 0 where it cannot be known.
+double Film::ratio(std::uint32_t pixel, std::uint32_t above, std::uint32_t below) const {
+    double one = 0, other = 0;
+    for (std::size_t half = 0; half < halves; ++half) {
+        const std::size_t at = half * count + pixel;
+        const double weight = halves > 1 && samples[at] > 0 ? 1.0 / samples[at] : 1;
+        one += sums[at * planes * 4 + above] * weight;
+        other += sums[at * planes * 4 + below] * weight;
+    }
+    return other > 0 ? one / other : 0;
+}
+
 double Film::variance(std::uint32_t pixel, std::uint32_t channel) const {
     double variance = 0, having = 0;
     for (std::size_t half = 0; half < halves; ++half) {
         const std::size_t at = half * count + pixel;
-        const double n = samples[at], *sum = sums.data() + at * planes * 4;
+        const double n = samples[at], *own = sums.data() + at * planes * 4;
         if (n < 1) continue;
         having += 1;
         if (n < 2) continue;
-        const double scale = 1 / n, mean = sum[channel] * scale;
-        variance += std::max(0.0, sum[4 * FILM_SQUARE + channel] * scale - mean * mean) / (n - 1);
+        const double scale = 1 / n, mean = sum_of(own, channel) * scale;
+        variance += std::max(0.0, own[4 * FILM_SQUARE + channel] * scale - mean * mean) / (n - 1);
     }
     return having > 1 ? variance / (having * having) : variance;
 }
@@ -122,29 +139,27 @@ io::Picture Film::picture(const Layers &layers, double unit, double length) cons
     layer(layers.steps, {"walk.steps"});
     picture.pixels.reserve(picture.channels.size() * crop.width() * crop.height());
 
-    std::vector<double> values(std::size_t(planes) * 4); // means
+    const std::uint32_t albedo = 4 * FILM_PLANES, normal = albedo + 4;
+    const std::uint32_t orders = 4 * (FILM_PLANES + (layers.surface() ? FILM_SURFACE_PLANES : 0));
     for (std::uint32_t y = 0; y < crop.height(); ++y)
         for (std::uint32_t x = 0; x < crop.width(); ++x) {
             const std::uint32_t pixel = tile_index(x, y);
-            for (std::uint32_t i = 0; i < planes * 4; ++i) values[i] = mean(pixel, i);
-            const double hits = values[3]; // share of the samples that met geometry: depth is their mean
             const auto put = [&](double value) { picture.pixels.push_back(float(value)); };
-            for (int c = 0; c < 3; ++c) put(values[c] * unit);
-            put(hits);
-            const double *albedo = values.data() + 4 * FILM_PLANES, *normal = albedo + 4;
-            const double *orders = values.data() + 4 * (FILM_PLANES + (layers.surface() ? FILM_SURFACE_PLANES : 0));
-            if (layers.albedo)
-                for (int c = 0; c < 3; ++c) put(albedo[c]);
-            if (layers.normal)
-                for (int c = 0; c < 3; ++c) put(normal[c]);
-            if (layers.depth) put(hits > 0 ? albedo[3] / hits * length : 0);
+            const auto put_means = [&](std::uint32_t first, double scale) {
+                for (std::uint32_t c = 0; c < 3; ++c) put(mean(pixel, first + c) * scale);
+            };
+            put_means(4 * FILM_RADIANCE, unit);
+            put(mean(pixel, 4 * FILM_RADIANCE + 3));
+            if (layers.albedo) put_means(albedo, 1);
+            if (layers.normal) put_means(normal, 1);
+            if (layers.depth) put(ratio(pixel, albedo + 3, 4 * FILM_RADIANCE + 3) * length); // of what met geometry
             if (layers.variance)
                 for (std::uint32_t c = 0; c < 3; ++c) put(variance(pixel, c) * unit * unit);
             if (layers.samples) put(samples_of(pixel));
             const bool wanted[] = {layers.zero, layers.single, layers.multiple};
-            for (int order = 0; order < FILM_SCATTER_PLANES; ++order)
-                for (int c = 0; c < 3 && wanted[order]; ++c) put(orders[4 * order + c] * unit);
-            if (layers.steps) put(orders[3] > 0 ? orders[7] / orders[3] : 0); // scatters by walks
+            for (std::uint32_t order = 0; order < FILM_SCATTER_PLANES; ++order)
+                if (wanted[order]) put_means(orders + 4 * order, unit);
+            if (layers.steps) put(ratio(pixel, orders + 7, orders + 3)); // scatters by walks
         }
     return picture;
 }

@@ -20,6 +20,9 @@ struct Layers {
     std::uint32_t kept() const;
 };
 
+/// A sum and what it has lost by rounding (FILM_REST). An infinite one leaves NaN, which says nothing.
+double whole_sum(double sum, double rest);
+
 /// Sums over all samples of every pixel, in double, in units of the device's film. Pixels are in tile order
 /// (shared/path.h). An adaptive render's film has two halves of samples, and its picture is the mean of both halves'
 /// means, however many samples each has: allocation.h says why.
@@ -56,7 +59,11 @@ class Film {
 
     std::uint32_t tile_index(std::uint32_t x, std::uint32_t y) const;
     std::uint32_t samples_of(std::uint32_t pixel) const;
+    /// Of value `value` of the planes; a half that has no samples has no say.
     double mean(std::uint32_t pixel, std::uint32_t value) const;
+    /// Of two means; 0 where there is nothing of `below`.
+    double ratio(std::uint32_t pixel, std::uint32_t above, std::uint32_t below) const;
+    /// Of the mean, from the samples' own spread; 0 where it cannot be known.
     double variance(std::uint32_t pixel, std::uint32_t channel) const;
 };
 

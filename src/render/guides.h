@@ -9,7 +9,8 @@ void add_guides(const scene::Scene &scene, std::vector<shared::Material> &materi
                 std::vector<shared::GuideMode> &modes);
 
 /// Says of each object whether its walks are guided: those of some size against their mean free paths, whose surface is
-/// nearly flat where a walk goes, as guides have it. Returns whether there is one.
+/// nearly flat where a walk goes, as guides have it, and not so thin that there is nothing to guide. Returns whether
+/// there is one.
 bool choose_guided(const scene::Scene &scene, Geometry &geometry);
 
 } // namespace nacre::render

@@ -11,15 +11,15 @@ using namespace shared;
 /// An error of a tenth in a ratio of lights costs nothing; few points of large objects may miss a spot of light.
 constexpr int points_per_object = 512;
 
+float4 to_float4(const Vec3f &v, float w) { return {v.x(), v.y(), v.z(), w}; }
+
+} // namespace
+
 bool has_sides(const scene::Scene &scene) {
     return std::any_of(scene.lights.begin(), scene.lights.end(),
                        [](const scene::Light &light) { return light.kind != LIGHT_ENVIRONMENT; }) ||
            (scene::features(scene, false, false) & FEATURE_EMISSION);
 }
-
-float4 to_float4(const Vec3f &v, float w) { return {v.x(), v.y(), v.z(), w}; }
-
-} // namespace
 
 std::vector<float4> light_points(const scene::Scene &scene, const Geometry &geometry) {
     std::vector<float4> points;

@@ -5,8 +5,12 @@
 
 namespace nacre::render {
 
+/// Whether some sides of objects may have more light than others: not under nothing but environments of constant
+/// radiance.
+bool has_sides(const scene::Scene &scene);
+
 /// Points on the surfaces of the objects with guided walks, spread by area: for each position (w: its object) and unit
-/// normal. Empty where all sides have the same light: under nothing but environments of constant radiance.
+/// normal. Empty where all sides have the same light.
 std::vector<shared::float4> light_points(const scene::Scene &scene, const Geometry &geometry);
 
 /// Measures the light on these points with the kernel of `program` and tells the scene's guides which sides of its

@@ -85,6 +85,7 @@ struct Session::Impl {
         variant.generic = options.generic;
         variant.bvh_stack = scene.bvh_stack;
         variant.lanes = device.quirks.lanes;
+        variant.exact = options.exact;
         variant.profile = options.profile;
         variant.tile_list = target > 0;
         {

@@ -13,6 +13,7 @@ struct Options {
     Layers layers;
     Crop crop; // empty: the whole image
     bool generic = false;
+    bool exact = false;           // the same bits on every device
     double error = 0;             // > 0: adaptive, until this relative error is reached (allocation.h)
     double seconds = 0;           // > 0: ends with the first launch after so many seconds of the kernels
     bool profile = false;         // kernels that count what is in shared/counters.h under PROFILE_LIST

@@ -168,7 +168,8 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("guide", modes);
     uploader.add("similarities", similarities);
     constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
-    uploader.add("light_sides", std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike)); // last: sides()
+    uploader.add("light_sides",
+                 std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike)); // last: sides()
     if (guided) out.light_points = light_points(scene, geometry);
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();

@@ -37,5 +37,28 @@ TEST(ChiSquare, BinsThatExpectNothingMustBeEmpty) {
     EXPECT_GT(chi_square({1000, 0, 1000}, {1, 0, 1}), .9);
 }
 
+TEST(KolmogorovSmirnov, TablesOfThePercentiles) {
+    // Limit of sqrt(n) D: 5 % at 1.3581, 1 % at 1.6276; the median .8276.
+    for (const auto &[z, p] : {std::pair{1.3581, .05}, {1.6276, .01}, {.8276, .5}})
+        EXPECT_NEAR(kolmogorov_q(z / 1e6, 1e12), p, 1e-4);
+    EXPECT_NEAR(kolmogorov_q(1.1799e-6, 1e12), kolmogorov_q(1.1801e-6, 1e12), 1e-3) << "both series";
+    EXPECT_EQ(kolmogorov_q(0, 100), 1);
+}
+
+TEST(KolmogorovSmirnov, SeesAShiftThatChiSquareDoesNot) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<double> numbers(1 << 20), bent;
+    for (double &u : numbers) u = unit(random);
+    EXPECT_GE(kolmogorov_smirnov(numbers), 1e-3);
+    for (const double u : numbers) bent.push_back(u + .005 * u * (1 - u)); // largest difference 1.25e-3, 1.3 / sqrt(n)
+    EXPECT_LT(kolmogorov_smirnov(bent), .5);
+    for (double &u : bent) u += .01 * u * (1 - u);
+    EXPECT_LT(kolmogorov_smirnov(bent), 1e-4);
+    std::vector<std::uint64_t> observed(512);
+    for (const double u : bent) ++observed[std::min<std::size_t>(511, std::size_t(u * 512))];
+    EXPECT_GE(chi_square(observed, std::vector<double>(512, 1)), 1e-4) << "then chi-square would do";
+}
+
 } // namespace
 } // namespace nacre::test

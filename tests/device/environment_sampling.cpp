@@ -70,7 +70,7 @@ TEST(EnvironmentSampling, TexelsByTheirLightEvenlyWithin) {
                     row * (.2126 * radiance.x() / 2 + .7152 * radiance.y() + .0722 * radiance.z());
             }
 
-        const std::vector<LightDraw> draws = draw_lights(scene, {0, 2, 0}, samples, 5);
+        const std::vector<LightDraw> draws = draw_lights(scene, {0, 2, 0}, {0, 1, 0}, samples, 5);
         std::vector<std::uint64_t> observed(width * height);
         std::vector<double> x, y;
         Vec3 sum(0, 0, 0), squares(0, 0, 0);

@@ -5,6 +5,7 @@
 #include "shared/features.h"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 
 namespace nacre::test {
@@ -32,7 +33,7 @@ struct Law {
 
 std::vector<Law> laws() {
     std::vector<Law> all{{0, 0, 0}, {0, 1, 1}};
-    for (const float bleed : {1e-3f, .5f, 1.f, 2.f, 10.f})
+    for (const float bleed : {1e-7f, 1e-3f, .5f, 1.f, 2.f, 10.f})
         for (const std::uint32_t reciprocal : {0u, 1u})
             for (const std::uint32_t scatters : {0u, 1u}) all.push_back({bleed, reciprocal, scatters});
     return all;
@@ -57,6 +58,27 @@ void check(const Law &law, const std::vector<float> &drawn) {
 TEST(FlightSampling, EveryLaw) {
     std::uint32_t seed = 1;
     for (const Law &law : laws()) check(law, draw(law, seed++));
+}
+
+// At bleed 1e4 float holds one flight in a hundred; the others must be infinite, all of them. What it must hold is
+// bleed times the depth, which is 1e4 times less.
+TEST(FlightSampling, BeyondTheRangeOfFloat) {
+    std::uint32_t seed = 50;
+    for (const std::uint32_t reciprocal : {0u, 1u}) {
+        const Law law{1e4f, reciprocal, 0};
+        const std::vector<float> drawn = draw(law, seed++);
+        const double held = flown(std::numeric_limits<float>::max() / law.bleed, law.bleed, law.steeper());
+        constexpr std::size_t bins = 64;
+        std::vector<std::uint64_t> observed(bins + 1);
+        for (std::size_t i = 0; i < samples; ++i) {
+            const float tau = drawn[4 * i];
+            const double u = flown(tau, law.bleed, law.steeper()) / held;
+            ++observed[std::isinf(tau) ? bins : std::min(bins - 1, std::size_t(u * bins))];
+        }
+        std::vector<double> shares(bins, held / bins);
+        shares.push_back(1 - held);
+        expect_distribution(observed, shares, law.name());
+    }
 }
 
 // Another material of the scene may bleed: the exponential law is then the one with bleed 0.

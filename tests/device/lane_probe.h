@@ -10,7 +10,23 @@ namespace nacre::test {
 inline constexpr int lane_counts[] = {1, 4, 8, 16};
 
 /// What probe_function of kernels/probe_lanes.cl computes.
-enum class Function : std::uint32_t { log, exp, log1p, expm1, sine, cosine, unit };
+enum class Function : std::uint32_t {
+    log,
+    exp,
+    log1p,
+    expm1,
+    sine,
+    cosine,
+    unit,
+    root,
+    inverse,
+    square_less_one,
+    inverse_root,
+    atan2_x_1,
+    atan2_1_x,
+    length3,
+    normalised3
+};
 
 /// Runs kernels of probe_lanes.cl on `in`, whose size must be a multiple of 2^12 (any LANES, any work-group); floats go
 /// in and come out by their bits.

@@ -1,4 +1,5 @@
-// Lights are drawn by their power, points on them evenly, and what is drawn is divided by its chance.
+// Few lights are drawn by what they bring to a point, many by their power, points on them evenly, and what is drawn is
+// divided by its chance.
 #include "device/chi_square.h"
 #include "device/light_probe.h"
 #include <cmath>
@@ -14,7 +15,7 @@ constexpr std::uint32_t samples = 1 << 20;
 
 double luminance(const Vec3 &c) { return c.dot(Vec3(.2126, .7152, .0722)); }
 
-TEST(LightChoice, PointsByTheirIntensity) {
+TEST(LightChoice, ManyPointsByTheirIntensity) {
     scene::Scene scene = scene_with_box();
     const Vec3 from(0, 3, 0);
     std::vector<double> shares;
@@ -33,7 +34,7 @@ TEST(LightChoice, PointsByTheirIntensity) {
     for (const double share : shares) total += share;
 
     std::vector<std::uint64_t> observed(shares.size());
-    for (const LightDraw &draw : draw_lights(scene, from, samples, 1)) {
+    for (const LightDraw &draw : draw_lights(scene, from, {0, 1, 0}, samples, 1)) {
         ASSERT_GT(draw.distance, 0);
         ASSERT_EQ(draw.density, 0);
         std::size_t nearest = 0;
@@ -52,6 +53,62 @@ TEST(LightChoice, PointsByTheirIntensity) {
     }
     EXPECT_EQ(observed[5], 0u);
     expect_distribution(observed, shares, "37 points");
+}
+
+// What they bring: irradiance, known exactly for points and directions, about for the rect, whose centre is far. Lights
+// below the horizon and backs of rects bring nothing.
+TEST(LightChoice, FewByWhatTheyBring) {
+    scene::Scene scene = scene_with_box();
+    const Vec3 from(0, 3, 0), normal = Vec3(1, 2, 0).normalized();
+    const auto add = [&](LightKind kind, const Vec3 &at, const Vec3 &radiance) -> scene::Light & {
+        scene::Light &light = scene.lights.emplace_back();
+        light.kind = kind;
+        light.radiance = radiance;
+        (kind == LIGHT_DIRECTIONAL ? light.direction : light.position) = at;
+        return light;
+    };
+    add(LIGHT_POINT, from + Vec3(1, 2, 0), {30, 20, 10});
+    add(LIGHT_POINT, from + Vec3(-1, 2, .5), {30, 20, 10});
+    add(LIGHT_POINT, from + Vec3(-2, .9, 0), {1000, 1000, 1000}); // below the horizon
+    add(LIGHT_DIRECTIONAL, Vec3(0, -1, 0), {1, 2, 3});
+    for (const double side : {1., -1.}) { // one shows its back
+        scene::Light &rect = add(LIGHT_RECT, from + Vec3(0, 4, 0), {20, 20, 20});
+        rect.u = {.5, 0, 0};
+        rect.v = {0, 0, side * .5};
+        if (side > 0) rect.position.x() = .25;
+    }
+    std::vector<std::uint64_t> observed(scene.lights.size());
+    std::vector<double> chances(scene.lights.size()), brought(scene.lights.size());
+    for (const LightDraw &draw : draw_lights(scene, from, normal, samples, 4)) {
+        ASSERT_GT(draw.distance, 0);
+        std::size_t i = 3;
+        double irradiance = 0;
+        if (draw.density > 0) {
+            i = 4;
+            irradiance = luminance(draw.radiance) * draw.density * .25 / 16; // all of the rect: its solid angle, about
+        } else {
+            for (const std::size_t k : {0, 1, 2})
+                if ((from + draw.direction * draw.distance - scene.lights[k].position).norm() < 1e-4) i = k;
+            irradiance = i == 3 ? luminance(scene.lights[3].radiance)
+                                : luminance(scene.lights[i].radiance) / (draw.distance * draw.distance);
+            chances[i] = irradiance / luminance(draw.radiance);
+        }
+        ++observed[i];
+        brought[i] = irradiance * std::max(0., draw.direction.dot(normal));
+    }
+    EXPECT_EQ(observed[2], 0u);
+    EXPECT_EQ(observed[5], 0u);
+    double total = 0, rest = 1;
+    for (std::size_t i = 0; i < brought.size(); ++i) {
+        total += brought[i];
+        rest -= chances[i];
+    }
+    chances[4] = rest;
+    expect_distribution(observed, chances, "few lights");
+    for (const std::size_t i : {0, 1, 3, 4}) {
+        EXPECT_GT(chances[i], .6 * brought[i] / total) << i;
+        EXPECT_LT(chances[i], 1.5 * brought[i] / total) << i;
+    }
 }
 
 /// Where a draw lies in the parallelogram of `corner`, `u`, `v`.
@@ -95,12 +152,13 @@ TEST(LightChoice, RectsAreEvenlyCovered) {
     rect.radiance = {3, 2, 1};
     scene.lights = {rect};
     const Vec3 from(0, 1.5, 0);
-    check_flat(draw_lights(scene, from, samples, 2), from, rect.position - .5 * (rect.u + rect.v), rect.u, rect.v,
-               rect.radiance, "rect");
-    for (const LightDraw &draw : draw_lights(scene, {0, 5, 0}, 64, 2)) EXPECT_EQ(draw.distance, 0) << "from behind";
+    check_flat(draw_lights(scene, from, {0, 1, 0}, samples, 2), from, rect.position - .5 * (rect.u + rect.v), rect.u,
+               rect.v, rect.radiance, "rect");
+    for (const LightDraw &draw : draw_lights(scene, {0, 5, 0}, {0, -1, 0}, 64, 2))
+        EXPECT_EQ(draw.distance, 0) << "from behind";
 }
 
-// A square of two triangles of different size (its corner is cut): even only if both are drawn by their area.
+// A square of triangles of many sizes, too many to be weighed one by one: even only if they are drawn by their area.
 TEST(LightChoice, EmittingTrianglesAreEvenlyCovered) {
     scene::Scene scene = scene_with_box();
     scene::Material glow;
@@ -108,11 +166,17 @@ TEST(LightChoice, EmittingTrianglesAreEvenlyCovered) {
     glow[PARAMETER_emission_color].value = {1, .5, .25};
     scene.materials.push_back(glow);
     scene::Mesh square;
-    square.positions = {{-1, 3, -1}, {1, 3, -1}, {1, 3, 1}, {-1, 3, 1}, {0, 3, -1}};
-    square.triangles = {{0, 4, 3}, {4, 2, 3}, {4, 1, 2}}; // counter-clockwise from below
+    for (std::uint32_t i = 0; i < 25; ++i)
+        square.positions.push_back({-1 + (i % 5) * (i % 5) / 8., 3, -1 + i / 5 / 2.});
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        if (i % 5 == 4) continue;
+        square.triangles.push_back({i, i + 1, i + 6}); // counter-clockwise from below
+        square.triangles.push_back({i, i + 6, i + 5});
+    }
     scene.objects.push_back({"square", square, 1, 0});
     const Vec3 from(.2, 1.5, .3);
-    check_flat(draw_lights(scene, from, samples, 3), from, {-1, 3, -1}, {2, 0, 0}, {0, 0, 2}, {2, 1, .5}, "triangles");
+    check_flat(draw_lights(scene, from, {0, 1, 0}, samples, 3), from, {-1, 3, -1}, {2, 0, 0}, {0, 0, 2}, {2, 1, .5},
+               "triangles");
 }
 
 } // namespace

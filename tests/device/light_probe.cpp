@@ -13,8 +13,8 @@ scene::Scene scene_with_box() {
     return scene;
 }
 
-std::vector<LightDraw> draw_lights(const scene::Scene &scene, const Vec3 &position, std::uint32_t count,
-                                   std::uint32_t seed) {
+std::vector<LightDraw> draw_lights(const scene::Scene &scene, const Vec3 &position, const Vec3 &normal,
+                                   std::uint32_t count, std::uint32_t seed) {
     const device::Device device = device::open_device();
     device::Variant variant;
     variant.entry = "probe_light.cl";
@@ -23,14 +23,16 @@ std::vector<LightDraw> draw_lights(const scene::Scene &scene, const Vec3 &positi
     const render::DeviceScene uploaded = render::upload(device, scene, variant.features, {0, 0, 1, 1});
     const Vec3 p = scene::frame_of(scene).point(position);
     const cl_float4 at = {{float(p.x()), float(p.y()), float(p.z()), 0}};
+    const cl_float4 up = {{float(normal.x()), float(normal.y()), float(normal.z()), 0}};
 
     const cl::Buffer out(device.context, CL_MEM_READ_WRITE, std::size_t(count) * 16 * sizeof(float));
     cl::Kernel kernel(program, "probe_light");
     const cl_uint first = uploaded.bind(kernel);
     kernel.setArg(first, at);
-    kernel.setArg(first + 1, seed);
-    kernel.setArg(first + 2, count);
-    kernel.setArg(first + 3, out);
+    kernel.setArg(first + 1, up);
+    kernel.setArg(first + 2, seed);
+    kernel.setArg(first + 3, count);
+    kernel.setArg(first + 4, out);
     const std::size_t group = std::size_t(device.quirks.work_group);
     device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group),
                                       cl::NDRange(group));

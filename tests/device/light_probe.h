@@ -14,9 +14,9 @@ struct LightDraw {
     Vec3 radiance_again{0, 0, 0};
 };
 
-/// `count` draws from the lights of `scene`, seen from `position`.
-std::vector<LightDraw> draw_lights(const scene::Scene &scene, const Vec3 &position, std::uint32_t count,
-                                   std::uint32_t seed);
+/// `count` draws from the lights of `scene`, seen from `position` on a surface with the unit normal `normal`.
+std::vector<LightDraw> draw_lights(const scene::Scene &scene, const Vec3 &position, const Vec3 &normal,
+                                   std::uint32_t count, std::uint32_t seed);
 
 /// A scene of one box, so that there is something to be lit.
 scene::Scene scene_with_box();

@@ -45,7 +45,7 @@ void check(float g, const Vec3f &axis, std::uint32_t seed, std::uint32_t feature
 
 TEST(PhaseSampling, EveryAnisotropyAboutEveryAxis) {
     std::uint32_t seed = 1;
-    for (const float g : {-.99f, -.9f, -.5f, 1e-5f, .5f, .8f, .95f, .99f, .999f})
+    for (const float g : {-.99f, -.9f, -.5f, 1e-5f, .5f, .8f, .95f, .99f, .999f, -.9999f, -.999f, 1e-6f, .9999f})
         check(g, axes()[seed % axes().size()], seed + 3), ++seed;
     for (const Vec3f &axis : axes()) check(.8f, axis, ++seed);
 }

@@ -29,6 +29,37 @@ TEST(Check, FindsNothingInAGoodScene) {
     for (const Finding &finding : check(good_scene())) ADD_FAILURE() << finding.subject << ": " << finding.text;
 }
 
+TEST(Check, NamesColorsOutOfReach) {
+    const auto spoilt = [](const auto &spoil) {
+        Scene scene = good_scene();
+        spoil(scene, scene.materials[0]);
+        return scene;
+    };
+    expect_finding(spoilt([](Scene &, Material &m) { m.max_depth = 256; }), "ball", "walks end after 256 scatters");
+    expect_finding(spoilt([](Scene &, Material &m) { m.internal_reflection = true; }), "ball", "turned back");
+    expect_finding(spoilt([](Scene &, Material &m) { m.entry = shared::ENTRY_REFRACTED; }), "ball", "refracted");
+    expect_finding(
+        spoilt([](Scene &, Material &m) { m[shared::PARAMETER_subsurface_scatter_anisotropy].value.setConstant(.99); }),
+        "ball", "from -0.95 to 0.98");
+    expect_finding(spoilt([](Scene &, Material &m) { m[shared::PARAMETER_subsurface_bleed].value.setConstant(5); }),
+                   "ball", "bleed up to 4");
+    expect_finding(spoilt([](Scene &, Material &m) {
+                       m.flight = shared::FLIGHT_RECIPROCAL;
+                       m[shared::PARAMETER_subsurface_bleed].value.setConstant(4);
+                       m[shared::PARAMETER_subsurface_color].value = {.99, .5, .5};
+                   }),
+                   "ball", "a colour of 0.99");
+    expect_finding(spoilt([](Scene &scene, Material &m) {
+                       m[shared::PARAMETER_subsurface_color].texture = 0;
+                       scene.textures.push_back({});
+                       Image &two = scene.images.emplace_back();
+                       two.width = two.height = two.channels = 1;
+                       two.halves = {0x4000};
+                       scene.objects[0].mesh.uvs.resize(scene.objects[0].mesh.positions.size());
+                   }),
+                   "ball", "reaches 2");
+}
+
 TEST(Check, CountsOpenEdges) {
     Scene scene = good_scene();
     scene.objects[0].mesh.triangles.pop_back();
@@ -95,10 +126,29 @@ TEST(Check, ComparesTheMeanFreePathWithTheSize) {
     expect_finding(clear, "ball", "looks transparent; did you mean subsurface_radius = 0.04?");
     Scene dense = good_scene(); // the blue path is a quarter of the radius
     dense.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(1e-4);
-    dense.materials[0][shared::PARAMETER_subsurface_radius_scale].value = Vec3(1, 1, 0.1);
+    dense.materials[0][shared::PARAMETER_subsurface_radius_scale].value = Vec3(1, 1, 0.2);
     expect_finding(dense, "ball", "looks like paint; did you mean subsurface_radius = 0.04?");
     clear.materials[0][shared::PARAMETER_subsurface_weight].value.setZero(); // not used, so not wrong
     EXPECT_TRUE(check(clear).empty());
+}
+
+// The second body takes the scene's size far beyond that of the first.
+TEST(Check, FindsFreePathsBelowTheSceneRounding) {
+    Scene scene = good_scene();
+    scene.objects.push_back({"far", make_sphere({1e5, 0, 0}, 1, 16), 1, 0});
+    scene.materials.emplace_back().name = "matt";
+    expect_finding(scene, "ball", "material 'skin': the mean free path 0.0125 is less than 3e-06 of the scene's size");
+    scene.objects[1].mesh = make_sphere({1e3, 0, 0}, 1, 16);
+    EXPECT_TRUE(check(scene).empty());
+}
+
+TEST(Check, CountsSlivers) {
+    Scene scene = good_scene();
+    scene.objects[0].mesh = make_box({-1, -1, -1}, {1, 1, -1 + 1.9e-3});
+    scene.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(1e-3);
+    expect_finding(scene, "ball", "8 of 12 triangles are more than 1000 times as long as wide");
+    scene.materials[0][shared::PARAMETER_subsurface_weight].value.setZero(); // a surface minds no sliver
+    EXPECT_TRUE(check(scene).empty());
 }
 
 TEST(Check, TexturesNeedUvs) {

@@ -1,0 +1,39 @@
+#include "error_time/modes.h"
+
+namespace nacre::bench {
+namespace {
+
+using namespace shared;
+
+/// Dwivedi's scheme is made for isotropic scattering.
+bool isotropic(const scene::Scene &scene) {
+    for (const scene::Material &material : scene.materials)
+        if (!material[PARAMETER_subsurface_scatter_anisotropy].value.isZero()) return false;
+    return true;
+}
+
+template <ChannelSampling sampling> void channel(Setup &setup) { setup.scene.render.channel_sampling = sampling; }
+template <Guiding guiding> void guide(Setup &setup) { setup.scene.render.guiding = guiding; }
+template <int lanes> void side_by_side(Setup &setup) { setup.scene.lanes = lanes; }
+
+} // namespace
+
+const std::vector<Mode> &modes() {
+    static const std::vector<Mode> all = {
+        {"default", [](Setup &) {}},
+        {"channel_single", channel<CHANNEL_SINGLE>},
+        {"channel_albedo", channel<CHANNEL_ALBEDO>},
+        {"channel_throughput", channel<CHANNEL_THROUGHPUT>},
+        {"guiding_none", guide<GUIDING_NONE>},
+        {"guiding_dwivedi", guide<GUIDING_DWIVEDI>, isotropic},
+        {"no_clearance", [](Setup &setup) { setup.scene.render.clearance = false; }},
+        {"lanes_1", side_by_side<1>},
+        {"lanes_4", side_by_side<4>},
+        {"lanes_8", side_by_side<8>},
+        {"lanes_16", side_by_side<16>},
+        {"generic", [](Setup &setup) { setup.options.generic = true; }},
+    };
+    return all;
+}
+
+} // namespace nacre::bench
