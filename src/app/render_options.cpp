@@ -60,9 +60,9 @@ void RenderOptions::add_to(CLI::App &command) {
         ->type_name("FILE");
     command
         .add_option("--error", error,
-                    "Sample every tile of 8 x 8 pixels until its noise is this small: a fraction of the picture's mean "
-                    "(0.02: 2 %), less where it is darker and more where it is brighter, by the square root, as a "
-                    "display shows it. --spp is then the most that a pixel gets (default: 65536)")
+                    "Give tiles of 8 x 8 pixels as many samples as they need until the picture's noise is this small: "
+                    "the root of its relMSE (0.02: 2 %), errors against what each pixel shows and a tenth of the mean. "
+                    "--spp is then the most that a pixel gets (default: 65536)")
         ->check(positive(1, "a fraction above 0 and up to 1, for example 0.02 for 2 %"))
         ->type_name("E");
     command

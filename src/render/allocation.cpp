@@ -1,5 +1,6 @@
 #include "render/allocation.h"
 #include "render/film.h"
+#include "render/tile_noise.h"
 #include <algorithm>
 #include <cmath>
 
@@ -10,57 +11,24 @@ using namespace shared;
 
 constexpr std::uint32_t tile_pixels = TILE * TILE;
 
-/// Where samples are counted after so many: the film's blocks stay whole.
+/// Where samples are counted after so many: the film's blocks stay whole, and few samples are not rounded up to many.
 std::uint32_t step_after(std::uint32_t samples) {
-    return samples < FIRST_LOOK ? FIRST_LOOK : FILM_BLOCK - samples % FILM_BLOCK;
+    const std::uint32_t block = samples < 2 * FILM_BLOCK ? FIRST_LOOK : FILM_BLOCK;
+    return block - samples % block;
 }
 
-bool decides_at(std::uint32_t samples) {
-    return samples == FIRST_LOOK || (samples >= FILM_BLOCK && (samples & (samples - 1)) == 0);
-}
+bool decides_at(std::uint32_t samples) { return samples >= FIRST_LOOK && (samples & (samples - 1)) == 0; }
 
 /// Which of the halves an entry of the list is.
 std::size_t half_of(std::uint32_t entry) {
     return 2 * std::size_t(entry & ~SECOND_HALF) + (entry & SECOND_HALF ? 1 : 0);
 }
 
-/// Sums over the lit pixels of a tile. Dark ones are left out, as they are in the error that a picture is said to have,
-/// and those whose sums no float holds: no number of samples makes them better.
-struct Lit {
-    double mean = 0, variance = 0, count = 0; // over pixels and channels; variance: of one sample
-    Lit &operator+=(const Lit &more) {
-        mean += more.mean;
-        variance += more.variance;
-        count += more.count;
-        return *this;
-    }
-};
-
-Lit lit_of(const std::array<double, 4> *pixels, double n) {
-    Lit lit;
-    for (std::uint32_t i = 0; i < tile_pixels; ++i) {
-        const auto &[r, g, b, squares] = pixels[i];
-        if (!(r + g + b > 0) || !std::isfinite(r + g + b + squares)) continue;
-        lit.count += 3;
-        lit.mean += (r + g + b) / n;
-        if (n > 1) lit.variance += std::max(0.0, squares - (r * r + g * g + b * b) / n) / (n - 1);
-    }
-    return lit;
-}
-
-/// Samples of each half with which the mean square error of a tile's pixels is target^2 x its mean x the picture's.
-/// That is the same noise everywhere on a display, which shows about the square root of radiance, and that of the
-/// picture, the root of its mean variance over its mean, becomes `target`.
-double relative_need(const Lit &lit, double level, double target) {
-    const double allowed = target * target * lit.mean * level; // of the sum of variances, over the lit pixels
-    return allowed > 0 ? lit.variance / (2 * allowed) : 0;
-}
-
 } // namespace
 
 Allocation::Allocation(const Crop &crop, std::uint32_t planes, double target, std::uint32_t most)
-    : planes(planes), most(most), columns((crop.width() + TILE - 1) / TILE), rows((crop.height() + TILE - 1) / TILE),
-      target(target) {
+    : planes(planes), most(most), width(crop.width()), height(crop.height()), columns((width + TILE - 1) / TILE),
+      rows((height + TILE - 1) / TILE), target(target) {
     halves.resize(2 * std::size_t(columns) * rows);
     sums.resize(halves.size() * tile_pixels);
     begin();
@@ -82,15 +50,17 @@ void Allocation::begin() {
 
 void Allocation::add(const std::vector<float4> &film) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        std::array<double, 4> *pixels = sums.data() + half_of(entries[i]) * tile_pixels;
+        std::array<double, 6> *pixels = sums.data() + half_of(entries[i]) * tile_pixels;
         for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
             const float4 *from = film.data() + (i * tile_pixels + pixel) * planes;
-            auto &[r, g, b, squares] = pixels[pixel];
-            const float4 &sum = from[FILM_RADIANCE], &rest = from[FILM_REST];
-            r += whole_sum(sum.x, rest.x);
-            g += whole_sum(sum.y, rest.y);
-            b += whole_sum(sum.z, rest.z);
-            squares += double(from[FILM_SQUARE].x) + from[FILM_SQUARE].y + from[FILM_SQUARE].z;
+            const float4 &sum = from[FILM_RADIANCE], &rest = from[FILM_REST], &square = from[FILM_SQUARE];
+            const double more[] = {whole_sum(sum.x, rest.x),
+                                   whole_sum(sum.y, rest.y),
+                                   whole_sum(sum.z, rest.z),
+                                   square.x,
+                                   square.y,
+                                   square.z};
+            for (std::size_t k = 0; k < 6; ++k) pixels[pixel][k] += more[k];
         }
     }
     taken = end();
@@ -101,32 +71,87 @@ void Allocation::add(const std::vector<float4> &film) {
     begin();
 }
 
-void Allocation::first_look(std::uint32_t deciding) {
-    std::vector<Lit> tiles(halves.size() / 2);
-    Lit picture;
-    for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
-        tiles[tile] = lit_of(sums.data() + (2 * tile + deciding) * tile_pixels, taken);
-        picture += tiles[tile];
+/// Of a tile's pixels, those in the picture.
+double Allocation::inside(std::size_t tile) const {
+    const std::uint32_t x = std::uint32_t(tile) % columns * TILE, y = std::uint32_t(tile) / columns * TILE;
+    return double(std::min<std::uint32_t>(TILE, width - x)) * std::min<std::uint32_t>(TILE, height - y);
+}
+
+double Allocation::noise_of(std::size_t half) const {
+    std::array<MeasuredPixel, tile_pixels> tile;
+    const double n = taken;
+    for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
+        const std::array<double, 6> &sum = sums[half * tile_pixels + pixel];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double mean = sum[c] / n;
+            tile[pixel].mean[c] = mean;
+            tile[pixel].variance[c] = n > 1 ? std::max(0.0, sum[3 + c] / n - mean * mean) / (n - 1) : 0;
+        }
     }
-    if (picture.count > 0) level[deciding] = picture.mean / picture.count;
-    for (std::uint32_t tile = 0; tile < tiles.size(); ++tile) {
-        if (tiles[tile].count == 0) continue;
-        Lit around;
+    return n * relative_noise(tile, floor[half % 2]) / inside(half / 2);
+}
+
+void Allocation::first_look(std::uint32_t deciding) {
+    const std::size_t tiles = halves.size() / 2;
+    std::vector<double> light(tiles);
+    double level = 0;
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+        for (std::size_t i = 0; i < tile_pixels; ++i) {
+            const std::array<double, 6> &sum = sums[(2 * tile + deciding) * tile_pixels + i];
+            if (const double all = sum[0] + sum[1] + sum[2]; std::isfinite(all)) light[tile] += all / taken;
+        }
+        level += light[tile] / (3.0 * width * height);
+    }
+    floor[deciding] = noise_floor(level);
+    std::vector<double> noise(tiles);
+    for (std::size_t tile = 0; tile < tiles; ++tile) noise[tile] = noise_of(2 * tile + deciding);
+    for (std::uint32_t tile = 0; tile < tiles; ++tile) {
+        if (!(light[tile] > 0)) continue; // nothing is there
+        double sum = 0, pixels = 0;
         const std::uint32_t x = tile % columns, y = tile / columns;
         for (std::uint32_t v = y - (y > 0); v <= std::min(y + 1, rows - 1); ++v)
-            for (std::uint32_t u = x - (x > 0); u <= std::min(x + 1, columns - 1); ++u)
-                around += tiles[v * columns + u];
-        halves[2 * tile + (deciding ^ 1)].least = relative_need(around, level[deciding], target);
+            for (std::uint32_t u = x - (x > 0); u <= std::min(x + 1, columns - 1); ++u) {
+                const double there = inside(v * columns + u);
+                sum += there * noise[v * columns + u];
+                pixels += there;
+            }
+        halves[2 * tile + deciding].around = sum / pixels;
     }
+}
+
+double Allocation::Half::spread() const { return std::sqrt(std::max(noise, around)); }
+
+/// Samples of a half, for each unit of spread, with which the relMSE is the target's square. What has more than that
+/// already, and is that much better, is not asked for elsewhere again.
+double Allocation::samples_per_spread(std::uint32_t deciding) const {
+    double result = 0;
+    // With every turn fewer samples and so more tiles that have enough: 20 are more than it takes.
+    for (int turn = 0; turn < 20; ++turn) {
+        double asked = 0, left = target * target * width * height;
+        for (std::size_t i = deciding; i < halves.size(); i += 2) {
+            const Half &half = halves[i], &other = halves[i ^ 1];
+            const double spread = half.spread(), weight = inside(i / 2) * half.noise / 2; // of two halves
+            const double has = other.final > 0 ? other.final : taken;
+            if (spread > 0 && (turn == 0 || result * spread > has))
+                asked += weight / spread;
+            else
+                left -= weight / has;
+        }
+        if (turn > 0 && (asked == 0 || asked / left >= result)) break;
+        result = asked / left;
+    }
+    return result;
 }
 
 void Allocation::look(std::uint32_t deciding) {
     const std::uint32_t next = taken == FIRST_LOOK ? taken : 2 * taken;
+    for (std::size_t i = deciding; i < halves.size(); i += 2)
+        if (halves[i ^ 1].final == 0) halves[i].noise = noise_of(i);
+    const double each = samples_per_spread(deciding);
     for (std::size_t i = deciding; i < halves.size(); i += 2) {
         Half &other = halves[i ^ 1];
         if (other.final > 0) continue;
-        const double need = relative_need(lit_of(sums.data() + i * tile_pixels, taken), level[deciding], target);
-        other.need = std::max(need, other.least);
+        other.need = each * halves[i].spread();
         if (other.need > next && next < most) continue;
         std::uint32_t final = taken; // fewer than it has make no sense
         while (final < other.need && final < most) final = std::min(most, final + step_after(final));

@@ -14,10 +14,14 @@
 // number, and its mean is unbiased, and so is the mean of both. Kirk and Arvo throw their pilot samples away; here each
 // half is the other's pilot, and what is lost is only what a half needed to decide beyond what it was told to give.
 //
+// Tiles get samples in proportion to the root of their relative variance: of all ways to one relMSE of the picture that
+// takes the fewest (Neyman 1934). The same noise everywhere would ask for the variance itself in place of its root, and
+// for as many samples in all as a picture takes that gives every pixel the same number.
+//
 // Decisions are for whole tiles, whose 64 pixels together know their variance, after FIRST_LOOK samples of a half (is
-// it enough?), then FILM_BLOCK, then at every doubling: a final number if the next decision would come too late, else
-// to go on. A tile that met none of the bright paths that its neighbours met is not trusted: it needs at least what the
-// 3 x 3 tiles around it need together by their first look (not a later one: how far they come depends on both halves).
+// it enough?) and at every doubling: a final number if the next decision would come too late, else to go on. A tile
+// that met none of the bright paths that its neighbours met is not trusted: it needs at least what the 3 x 3 tiles
+// around it need together by their first look (not a later one: how far they come depends on both halves).
 namespace nacre::render {
 
 /// Samples of a half before the first decision.
@@ -25,7 +29,7 @@ constexpr std::uint32_t FIRST_LOOK = 16;
 
 class Allocation {
   public:
-    /// `target`: relative error, see relative_need. `most`: samples of a half, at least 1.
+    /// `target`: the root of the relMSE that the picture is to have. `most`: samples of a half, at least 1.
     Allocation(const Crop &crop, std::uint32_t planes, double target, std::uint32_t most);
 
     /// What gets samples [first(), end()) next, as the kernels take it: tiles, those of the second half with
@@ -43,25 +47,30 @@ class Allocation {
     /// Samples that there will be in all, as far as it can be known; pixels beyond the crop's edge count.
     std::uint64_t expected() const;
 
-    /// Share of all tiles that reach the target, or are expected to, with at most `most` samples of each half.
+    /// Share of all tiles that get what they need, or are expected to, with at most `most` samples of each half.
     double converged() const;
 
   private:
     struct Half {                // of a tile
         std::uint32_t final = 0; // number of samples that the other half's say it is to have; 0: not decided yet
         double need = 0;         // the same before it is cut off or rounded
-        double least = 0;        // of `need`, by what is around it
+        double noise = 0;        // relative variance of one sample, by its own when they last decided something
+        double around = 0;       // the same of the tiles around it, by their first look
+        double spread() const;   // root of what it is taken to be
     };
-    std::uint32_t planes, most, columns, rows, taken = 0;
+    std::uint32_t planes, most, width, height, columns, rows, taken = 0;
     double target;
     std::vector<Half> halves;                // 2 per tile
-    std::vector<std::array<double, 4>> sums; // by half and pixel: r, g, b, and the sum of their squares
+    std::vector<std::array<double, 6>> sums; // by half and pixel: r, g, b, and their squares
     std::vector<std::uint32_t> entries;
-    std::array<double, 2> level{}; // mean of the lit pixels by the first look of each half
+    std::array<double, 2> floor{}; // noise_floor by the first look of each half
 
     void begin();
+    double inside(std::size_t tile) const;
+    double noise_of(std::size_t half) const;
     void first_look(std::uint32_t deciding);
     void look(std::uint32_t deciding);
+    double samples_per_spread(std::uint32_t deciding) const;
 };
 
 } // namespace nacre::render

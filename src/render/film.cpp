@@ -1,4 +1,5 @@
 #include "render/film.h"
+#include "render/tile_noise.h"
 #include "shared/path.h"
 #include <algorithm>
 #include <cmath>
@@ -105,17 +106,21 @@ double Film::variance(std::uint32_t pixel, std::uint32_t channel) const {
 }
 
 double Film::relative_error() const {
-    double means = 0, variances = 0, lit = 0;
-    for (std::uint32_t y = 0; y < crop.height(); ++y)
-        for (std::uint32_t x = 0; x < crop.width(); ++x) {
-            const std::uint32_t pixel = tile_index(x, y);
-            const double light = mean(pixel, 0) + mean(pixel, 1) + mean(pixel, 2);
-            if (!(light > 0)) continue;
-            lit += 3;
-            means += light;
-            for (std::uint32_t c = 0; c < 3; ++c) variances += variance(pixel, c);
-        }
-    return lit > 0 ? std::sqrt(variances * lit) / means : 0;
+    const double area = double(crop.width()) * crop.height();
+    double level = 0, noise = 0;
+    for (std::uint32_t pixel = 0; pixel < count; ++pixel)
+        for (std::uint32_t c = 0; c < 3; ++c)
+            if (const double value = mean(pixel, c); std::isfinite(value)) level += value / (3 * area);
+    std::array<MeasuredPixel, TILE * TILE> tile;
+    for (std::uint32_t first = 0; first < count; first += TILE * TILE) {
+        for (std::uint32_t i = 0; i < TILE * TILE; ++i)
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                tile[i].mean[c] = mean(first + i, c);
+                tile[i].variance[c] = variance(first + i, c);
+            }
+        noise += relative_noise(tile, noise_floor(level));
+    }
+    return std::sqrt(noise / area);
 }
 
 io::Picture Film::picture(const Layers &layers, double unit, double length) const {

@@ -48,7 +48,7 @@ class Film {
 
     std::uint64_t total_samples() const;
 
-    /// The root of the mean variance over the mean, of the pixels that are not black. 0: it is not known.
+    /// The root of the relMSE (compare/metrics.h) that its variances say it has. 0: it is not known.
     double relative_error() const;
 
   private:
