@@ -16,6 +16,11 @@ template <ChannelSampling sampling> void channel(Setup &setup) { setup.scene.ren
 template <Guiding guiding> void guide(Setup &setup) { setup.scene.render.guiding = guiding; }
 template <int lanes> void side_by_side(Setup &setup) { setup.scene.lanes = lanes; }
 
+void adaptive(Setup &setup) {
+    setup.options.error = setup.error;
+    setup.spp *= 256; // no tile needs more
+}
+
 } // namespace
 
 const std::vector<Mode> &modes() {
@@ -32,6 +37,7 @@ const std::vector<Mode> &modes() {
         {"lanes_8", side_by_side<8>},
         {"lanes_16", side_by_side<16>},
         {"generic", [](Setup &setup) { setup.options.generic = true; }},
+        {"adaptive", adaptive},
     };
     return all;
 }

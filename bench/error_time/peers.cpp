@@ -92,8 +92,8 @@ PeerShots shoot_peer(const std::string &name, const Scenario &scenario, const st
     out.series.name = name;
     for (const Json &render : read_json(scratch.path / "times.json")) {
         const std::string file = render["file"];
-        Shot shot{render["spp"], render["seed"], render["seconds"], render["cpu"],
-                  compare::estimate_of(io::read_picture(file), file)};
+        Shot shot{render["spp"], render["seed"], render["seconds"],
+                  render["cpu"], render["spp"],  compare::estimate_of(io::read_picture(file), file)};
         if (shot.seed >= reference_seed)
             out.references.push_back(std::move(shot.picture));
         else if (shot.seed > 0)

@@ -1,6 +1,7 @@
 #include "error_time/shots.h"
 #include "error_time/figures.h"
 #include "measure.h"
+#include <cmath>
 
 namespace nacre::bench {
 namespace {
@@ -24,7 +25,8 @@ compare::Estimate mean_of(std::span<const compare::Estimate *const> pictures) {
             mean.mean[i][c] = float(value / count);
             if (mean.has_noise()) mean.variance[i][c] = float(variance / (count * count));
         }
-        if (mean.has_noise()) mean.samples[i] *= float(count);
+        if (mean.has_noise())
+            for (const compare::Estimate *picture : pictures.subspan(1)) mean.samples[i] += picture->samples[i];
     }
     return mean;
 }
@@ -56,33 +58,46 @@ double level_of(const compare::Estimate &picture) {
     return sum / (3 * double(picture.mean.size()));
 }
 
+double noise_of(const compare::Estimate &picture) {
+    const double level = level_of(picture);
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.mean.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double mean = picture.mean[i][c];
+            sum += double(picture.variance[i][c]) / (mean * mean + .01 * level * level);
+        }
+    return std::sqrt(sum / (3 * double(picture.mean.size())));
+}
+
 void take_slopes(std::vector<Shot> &shots, std::size_t budgets, double Shot::*clock) {
     for (std::size_t first = 0; first < shots.size(); first += budgets) {
         const Shot &least = shots[first], &most = shots[first + budgets - 1];
-        const double a_sample = (most.*clock - least.*clock) / double(most.spp - least.spp);
-        for (std::size_t i = first; i < first + budgets; ++i) shots[i].*clock = a_sample * shots[i].spp;
+        if (most.taken == least.taken) continue;
+        const double a_sample = (most.*clock - least.*clock) / (most.taken - least.taken);
+        for (std::size_t i = first; i < first + budgets; ++i) shots[i].*clock = a_sample * shots[i].taken;
     }
 }
 
 Shot shoot(const device::Device &device, const scene::Scene &scene, const Mode &mode, std::uint32_t spp,
-           std::uint32_t seed, render::Startup *startup) {
-    Setup setup{scene, {}};
+           std::uint32_t seed, double error, render::Startup *startup) {
+    Setup setup{scene, {}, spp, error};
     setup.options.layers.variance = setup.options.layers.samples = true;
     setup.scene.render.seed = seed;
     setup.scene.render.spp = worth;
     mode.apply(setup);
     render::Session session(device, setup.scene, setup.options);
-    const Seconds spent = seconds([&] { session.render(spp); });
+    const Seconds spent = seconds([&] { session.render(setup.spp); });
     const render::Statistics statistics = session.statistics();
     if (startup) *startup = statistics.startup;
-    return {spp, seed, statistics.sampling, spent.cpu, compare::estimate_of(session.picture(), mode.name)};
+    const double taken = double(statistics.samples) / scene.image.width / scene.image.height;
+    return {spp, seed, statistics.sampling, spent.cpu, taken, compare::estimate_of(session.picture(), mode.name)};
 }
 
 Reference make_reference(const device::Device &device, const scene::Scene &scene, std::uint32_t spp, int renders,
                          std::uint32_t first_seed) {
     std::vector<compare::Estimate> pictures;
     for (int i = 0; i < renders; ++i)
-        pictures.push_back(shoot(device, scene, modes().front(), spp, first_seed + std::uint32_t(i)).picture);
+        pictures.push_back(shoot(device, scene, modes().front(), spp, first_seed + std::uint32_t(i), 0).picture);
     return reference_of(pictures);
 }
 

@@ -11,6 +11,7 @@ struct Shot {
     std::uint32_t spp = 0, seed = 0;
     double seconds = 0; // of sampling alone
     double cpu = 0;     // of all threads; of the whole picture, until take_slopes
+    double taken = 0;   // samples per pixel; spp but where a mode takes what it needs
     compare::Estimate picture;
 };
 
@@ -36,13 +37,17 @@ double level_of(const compare::Estimate &picture);
 
 Reference reference_of(const std::vector<compare::Estimate> &renders);
 
+/// What a picture's own variances say of it: the root of its relMSE.
+double noise_of(const compare::Estimate &picture);
+
 /// Turns times of whole pictures, with what is done once per picture, into those of sampling: what a seed's largest
-/// budget takes longer than its smallest, per sample. The shots of a seed follow one another, smallest first.
+/// budget takes longer than its smallest, per sample; all of it where both take as many. The shots of a seed follow one
+/// another, smallest first.
 void take_slopes(std::vector<Shot> &shots, std::size_t budgets, double Shot::*clock);
 
-/// Renders. Every call makes a session of its own.
+/// Renders. Every call makes a session of its own. `error`: Setup::error.
 Shot shoot(const device::Device &device, const scene::Scene &scene, const Mode &mode, std::uint32_t spp,
-           std::uint32_t seed, render::Startup *startup = nullptr);
+           std::uint32_t seed, double error, render::Startup *startup = nullptr);
 
 /// `renders` pictures in the default mode, their seeds not below `first_seed`.
 Reference make_reference(const device::Device &device, const scene::Scene &scene, std::uint32_t spp, int renders,
