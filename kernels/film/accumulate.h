@@ -42,12 +42,15 @@ void film_accumulate(const Scene *scene, uint pixel, uint samples, uint slot, gl
     global float4 *sum = film + pixel * planes;
     float4 total = sum[FILM_RADIANCE], square = sum[FILM_SQUARE], rest = sum[FILM_REST];
     for (uint i = 0; i < samples; ++i) {
-        const float4 value = radiance[slot + i];
+        float4 value = radiance[slot + i];
+        LISTED(const float cost = floor(value.w / LIST_COST);)
+        LISTED(value.w -= LIST_COST * cost;)
         // Knuth's exact sum (The Art of Computer Programming 2, 4.2.2): next + its rest is total + value to the last bit.
         const float4 next = total + value, added = next - total;
         rest += (total - (next - added)) + (value - added);
         total = next;
         square += value * value;
+        LISTED(square.w += cost - value.w * value.w;)
     }
     sum[FILM_RADIANCE] = total;
     sum[FILM_SQUARE] = square;

@@ -4,13 +4,6 @@
 
 #include "path/path.h"
 
-// With -DTILE_LIST only.
-#ifdef TILE_LIST
-#define LISTED(...) __VA_ARGS__
-#else
-#define LISTED(...)
-#endif
-
 // Where pixel `index` of the list is in the tile order.
 uint listed_pixel(global const uint *tiles, uint index) {
     return (tiles[index / (TILE * TILE)] & ~SECOND_HALF) * (TILE * TILE) + index % (TILE * TILE);
@@ -51,9 +44,16 @@ bool launch_path(const Scene *scene, const Launch *launch, uint i, Path *path, C
     return true;
 }
 
+// About how long a path took, in flights of a walk; of its walks, the last. Beside the alpha of its radiance, which is 0 or 1.
+float path_cost(const Path *path) {
+    const uint cost = LIST_EVENT_COST * (path->vertex + 1u) + path->scatters + path->steps;
+    return LIST_COST * (float)min(cost, LIST_MOST_COST);
+}
+
 // The radiance of a path that is done. A sample that is NaN or infinite becomes black; it is counted, and the first remembered.
 void launch_take(const Scene *scene, const Launch *launch, const Path *path, Counts *counts) {
-    const float4 radiance = path->radiance;
+    float4 radiance = path->radiance;
+    LISTED(radiance.w += path_cost(path);)
     if (isfinite(radiance.x + radiance.y + radiance.z)) {
         launch->radiance[path->slot] = radiance;
         return;

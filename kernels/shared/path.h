@@ -66,7 +66,7 @@ typedef struct Batch Batch;
 // asked for, those of the first surface (albedo and depth, normal), then those of the first walk (light that scattered never
 // and the number of walks, once and the number of scatters, more often).
 #define FILM_RADIANCE 0 // rgb, alpha
-#define FILM_SQUARE 1   // squares of rgb
+#define FILM_SQUARE 1   // squares of rgb; with -DTILE_LIST, about how long the samples took
 #define FILM_REST 2     // what the sums of rgb and alpha have lost by rounding
 #define FILM_PLANES 3
 #define FILM_SURFACE_PLANES 2
@@ -78,7 +78,17 @@ typedef struct Batch Batch;
 
 // A program with -DTILE_LIST (adaptive renders) takes its pixels from a list of tiles, TILE x TILE for each entry; its film is in
 // the list's order. This bit of an entry says that its samples are of the second half: that is samples SECOND_HALF and on, whose
-// numbers are independent of those of samples 0 and on.
+// numbers are independent of those of samples 0 and on. Its film has what the samples cost beside their squares: FILM_SQUARE.
 #define SECOND_HALF 0x80000000u
+#define LIST_COST 2.0f            // the unit in a path's alpha
+#define LIST_EVENT_COST 4u        // a surface's, with its rays, against one flight of a walk
+#define LIST_MOST_COST (1u << 20) // floats hold it and alpha
+
+// With -DTILE_LIST only.
+#ifdef TILE_LIST
+#define LISTED(...) __VA_ARGS__
+#else
+#define LISTED(...)
+#endif
 
 #endif

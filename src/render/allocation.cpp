@@ -50,7 +50,7 @@ void Allocation::begin() {
 
 void Allocation::add(const std::vector<float4> &film) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        std::array<double, 6> *pixels = sums.data() + half_of(entries[i]) * tile_pixels;
+        std::array<double, 7> *pixels = sums.data() + half_of(entries[i]) * tile_pixels;
         for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
             const float4 *from = film.data() + (i * tile_pixels + pixel) * planes;
             const float4 &sum = from[FILM_RADIANCE], &rest = from[FILM_REST], &square = from[FILM_SQUARE];
@@ -59,8 +59,9 @@ void Allocation::add(const std::vector<float4> &film) {
                                    whole_sum(sum.z, rest.z),
                                    square.x,
                                    square.y,
-                                   square.z};
-            for (std::size_t k = 0; k < 6; ++k) pixels[pixel][k] += more[k];
+                                   square.z,
+                                   square.w};
+            for (std::size_t k = 0; k < 7; ++k) pixels[pixel][k] += more[k];
         }
     }
     taken = end();
@@ -81,7 +82,7 @@ double Allocation::noise_of(std::size_t half) const {
     std::array<MeasuredPixel, tile_pixels> tile;
     const double n = taken;
     for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
-        const std::array<double, 6> &sum = sums[half * tile_pixels + pixel];
+        const std::array<double, 7> &sum = sums[half * tile_pixels + pixel];
         for (std::size_t c = 0; c < 3; ++c) {
             const double mean = sum[c] / n;
             tile[pixel].mean[c] = mean;
@@ -91,13 +92,19 @@ double Allocation::noise_of(std::size_t half) const {
     return n * relative_noise(tile, floor[half % 2]) / inside(half / 2);
 }
 
+double Allocation::cost_of(std::size_t half) const {
+    double sum = 0;
+    for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) sum += sums[half * tile_pixels + pixel][6];
+    return std::max(1.0, sum / (inside(half / 2) * taken));
+}
+
 void Allocation::first_look(std::uint32_t deciding) {
     const std::size_t tiles = halves.size() / 2;
     std::vector<double> light(tiles);
     double level = 0;
     for (std::size_t tile = 0; tile < tiles; ++tile) {
         for (std::size_t i = 0; i < tile_pixels; ++i) {
-            const std::array<double, 6> &sum = sums[(2 * tile + deciding) * tile_pixels + i];
+            const std::array<double, 7> &sum = sums[(2 * tile + deciding) * tile_pixels + i];
             if (const double all = sum[0] + sum[1] + sum[2]; std::isfinite(all)) light[tile] += all / taken;
         }
         level += light[tile] / (3.0 * width * height);
@@ -119,21 +126,21 @@ void Allocation::first_look(std::uint32_t deciding) {
     }
 }
 
-double Allocation::Half::spread() const { return std::sqrt(std::max(noise, around)); }
+double Allocation::Half::worth() const { return std::sqrt(std::max(noise, around) / cost); }
 
-/// Samples of a half, for each unit of spread, with which the relMSE is the target's square. What has more than that
+/// Samples of a half, for each unit of worth, with which the relMSE is the target's square. What has more than that
 /// already, and is that much better, is not asked for elsewhere again.
-double Allocation::samples_per_spread(std::uint32_t deciding) const {
+double Allocation::samples_per_worth(std::uint32_t deciding) const {
     double result = 0;
     // With every turn fewer samples and so more tiles that have enough: 20 are more than it takes.
     for (int turn = 0; turn < 20; ++turn) {
         double asked = 0, left = target * target * width * height;
         for (std::size_t i = deciding; i < halves.size(); i += 2) {
             const Half &half = halves[i], &other = halves[i ^ 1];
-            const double spread = half.spread(), weight = inside(i / 2) * half.noise / 2; // of two halves
+            const double worth = half.worth(), weight = inside(i / 2) * half.noise / 2; // of two halves
             const double has = other.final > 0 ? other.final : taken;
-            if (spread > 0 && (turn == 0 || result * spread > has))
-                asked += weight / spread;
+            if (worth > 0 && (turn == 0 || result * worth > has))
+                asked += weight / worth;
             else
                 left -= weight / has;
         }
@@ -146,12 +153,15 @@ double Allocation::samples_per_spread(std::uint32_t deciding) const {
 void Allocation::look(std::uint32_t deciding) {
     const std::uint32_t next = taken == FIRST_LOOK ? taken : 2 * taken;
     for (std::size_t i = deciding; i < halves.size(); i += 2)
-        if (halves[i ^ 1].final == 0) halves[i].noise = noise_of(i);
-    const double each = samples_per_spread(deciding);
+        if (halves[i ^ 1].final == 0) {
+            halves[i].noise = noise_of(i);
+            halves[i].cost = cost_of(i);
+        }
+    const double each = samples_per_worth(deciding);
     for (std::size_t i = deciding; i < halves.size(); i += 2) {
         Half &other = halves[i ^ 1];
         if (other.final > 0) continue;
-        other.need = each * halves[i].spread();
+        other.need = each * halves[i].worth();
         if (other.need > next && next < most) continue;
         std::uint32_t final = taken; // fewer than it has make no sense
         while (final < other.need && final < most) final = std::min(most, final + step_after(final));

@@ -14,9 +14,11 @@
 // number, and its mean is unbiased, and so is the mean of both. Kirk and Arvo throw their pilot samples away; here each
 // half is the other's pilot, and what is lost is only what a half needed to decide beyond what it was told to give.
 //
-// Tiles get samples in proportion to the root of their relative variance: of all ways to one relMSE of the picture that
-// takes the fewest (Neyman 1934). The same noise everywhere would ask for the variance itself in place of its root, and
-// for as many samples in all as a picture takes that gives every pixel the same number.
+// Tiles get samples in proportion to the root of their relative variance over what a sample costs: of all ways to one
+// relMSE of the picture that takes the least time (Neyman 1934; Cochran 1977, "Sampling Techniques" 5.5). The same
+// noise everywhere would ask for the variance itself in place of its root, and for as many samples in all as a picture
+// takes that gives every pixel the same number. Cost is counted in rays and scatters, not in seconds: so pictures are
+// the same whatever the device does besides.
 //
 // Decisions are for whole tiles, whose 64 pixels together know their variance, after FIRST_LOOK samples of a half (is
 // it enough?) and at every doubling: a final number if the next decision would come too late, else to go on. A tile
@@ -56,21 +58,23 @@ class Allocation {
         double need = 0;         // the same before it is cut off or rounded
         double noise = 0;        // relative variance of one sample, by its own when they last decided something
         double around = 0;       // the same of the tiles around it, by their first look
-        double spread() const;   // root of what it is taken to be
+        double cost = 1;         // of a sample, as `noise`
+        double worth() const;    // samples go by it
     };
     std::uint32_t planes, most, width, height, columns, rows, taken = 0;
     double target;
     std::vector<Half> halves;                // 2 per tile
-    std::vector<std::array<double, 6>> sums; // by half and pixel: r, g, b, and their squares
+    std::vector<std::array<double, 7>> sums; // by half and pixel: r, g, b, their squares, and what they cost
     std::vector<std::uint32_t> entries;
     std::array<double, 2> floor{}; // noise_floor by the first look of each half
 
     void begin();
     double inside(std::size_t tile) const;
     double noise_of(std::size_t half) const;
+    double cost_of(std::size_t half) const;
     void first_look(std::uint32_t deciding);
     void look(std::uint32_t deciding);
-    double samples_per_spread(std::uint32_t deciding) const;
+    double samples_per_worth(std::uint32_t deciding) const;
 };
 
 } // namespace nacre::render

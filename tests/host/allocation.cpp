@@ -16,7 +16,7 @@ constexpr std::uint32_t pixels = TILE * TILE, planes = FILM_PLANES;
 
 /// Grey samples: `base`, and now and then `bright`.
 struct Source {
-    double base = 0.1, bright = 0, chance = 0;
+    double base = 0.1, bright = 0, chance = 0, cost = 1;
     double mean() const { return base + chance * bright; }
 
     /// Sums of samples [first, end) of a tile's half: always the same ones.
@@ -30,7 +30,7 @@ struct Source {
             const auto sum = float(n * base + k * bright);
             const auto square = float((n - k) * base * base + k * (base + bright) * (base + bright));
             block[i * planes + FILM_RADIANCE] = {sum, sum, sum, float(n)};
-            block[i * planes + FILM_SQUARE] = {square, square, square, 0};
+            block[i * planes + FILM_SQUARE] = {square, square, square, float(n * cost)};
         }
         return block;
     }
@@ -122,6 +122,16 @@ TEST(Allocation, SamplesGoByTheRootOfRelativeVariance) {
                 0.05 * each * of_bright + 128); // rounded up to blocks of both halves
     EXPECT_NEAR(taken.samples[2 * TILE], each * of_dark, 0.05 * each * of_dark + 128);
     EXPECT_EQ(taken.samples[TILE], 2 * FIRST_LOOK);
+}
+
+TEST(Allocation, CostlySamplesAreFewer) {
+    const Source dear{0, 1, 0.5, 16}, cheap{0, 1, 0.5, 1};
+    const Taken taken = render({dear, dear, cheap, cheap}, 0.01, 1 << 16, 1);
+    const double dear_ones = 0.99 / 1e-4 * 0.625,
+                 cheap_ones = 4 * dear_ones; // sqrt(r / c) sum sqrt(r c) / (4 target^2)
+    EXPECT_NEAR(taken.samples[0], dear_ones, 0.05 * dear_ones + 128);
+    EXPECT_NEAR(taken.samples[3 * TILE], cheap_ones, 0.1 * cheap_ones + 128);
+    EXPECT_NEAR(taken.error, 0.01, 0.1 * 0.01);
 }
 
 // No other way to share out as many samples has a smaller relMSE, and the same number for every pixel a larger one.
