@@ -154,6 +154,19 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_densit
     }
 }
 
+// Roulette of a walk with the weights `sigma`. out: its weights after that; the threshold if it survives, else 0.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_roulette(
+    global const Frame *frame, Probe probe, global float4 *out) {
+    const uint i = get_global_id(0);
+    if (i >= probe.count) return;
+    Walk walk;
+    walk.weight.x = probe.sigma.x;
+    walk.weight.y = probe.sigma.y;
+    walk.weight.z = probe.sigma.z;
+    const bool survives = bits(walk_roulette(&walk, random_unit(random_hash((uint4)(probe.seed, i, 9u, 10u)).x), 0)) != 0u;
+    out[i] = (float4)(walk.weight.x, walk.weight.y, walk.weight.z, survives ? WALK_ROULETTE : 0.0f);
+}
+
 // Pairs of the Sobol sampler of dimension `entry`: sample i of key `seed`, or the first `first` samples of every key from
 // there on. out: two numbers.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_sobol(

@@ -65,7 +65,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void bench_cleara
     global const real *in, global real *out, global const Clearance *field, global const uint *bricks, float4 extent) {
     const size_t i = get_global_id(0);
     ClearanceLanes lanes;
-    for (uint l = 0; l < LANES; ++l) clearance_set(&lanes, l, *field);
+    for (uint l = 0; l < LANES; ++l) clearance_set(&lanes, l, field);
     const real first = in[i];
     real sum = (real)(0.0f);
     for (uint k = 0; k < REPEATS; ++k) {

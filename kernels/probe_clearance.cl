@@ -19,7 +19,7 @@ probe_clearance(global const float4 *points, global const Clearance *fields, glo
         LANE_FLOAT(x, lane) = point.x;
         LANE_FLOAT(y, lane) = point.y;
         LANE_FLOAT(z, lane) = point.z;
-        clearance_set(&lanes, lane, fields[as_uint(point.w)]);
+        clearance_set(&lanes, lane, fields + as_uint(point.w));
     }
     const real bound = clearance_at(bricks, &lanes, x, y, z);
     for (uint lane = 0; lane < LANES; lane++) bounds[begin + lane] = LANE_FLOAT(bound, lane);

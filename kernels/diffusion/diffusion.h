@@ -54,7 +54,7 @@ bool probe_surface(const Scene *scene, const Path *path, Sampler sampler, const 
     for (uint i = 0u;; ++i) {
         counts->value[COUNTER_walk_rays] += 1u;
         const Hit hit = trace_closest(ray, scene->nodes, scene->blocks,
-                                      object->walk_root PROFILED(, counts->profile + PROFILE_walk_nodes));
+                                      object->walk_root AND_PROFILED(counts->profile + PROFILE_walk_nodes));
         if (hit.block == BVH_NO_PRIMITIVE) return crossing->all != 0.0f;
         ray.t_min = hit.t;
         const Surface surface = surface_at(scene, ray, hit);

@@ -15,7 +15,7 @@ Hit straight_hit(const Scene *scene, const Path *path, Ray ray, float rounding, 
     const uint root = scene->objects[path->object].walk_root;
     for (;;) {
         counts->value[COUNTER_walk_rays] += 1u;
-        const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, root PROFILED(, counts->profile + PROFILE_walk_nodes));
+        const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, root AND_PROFILED(counts->profile + PROFILE_walk_nodes));
         if (hit.block == BVH_NO_PRIMITIVE || boundary_leaves(scene, hit, ray.direction, rounding, depth)) return hit;
         ray.t_min = hit.t;
     }

@@ -10,12 +10,12 @@
 #if STREAM_RAYS == 1 || ROW_SIZE < BVH_WIDTH
 
 void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, global const float *blocks, bool any
-                  PROFILED(, uint *visits)) {
+                  AND_PROFILED(uint *visits)) {
     for (ulong rest = wanted; rest != 0ul; rest &= rest - 1ul) {
         const uint i = STREAM_RAYS == 1 ? 0u : lowest_bit64(rest);
         const Ray ray = stream_ray(stream, i);
         const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, stream->root[i],
-                                 any PROFILED(, visits));
+                                 any AND_PROFILED(visits));
         stream->t[i] = hit.t;
         stream->block[i] = hit.block;
         stream->slot[i] = hit.slot;
@@ -144,7 +144,7 @@ ALWAYS_INLINE void visit_blocks(Flying *f, Flock *flock, const uint *ray, uint c
 // Traces the rays whose bits are set in `wanted`: the closest hits, or with `any` some hit. All are under way at once:
 // starting a ray whenever one ends, so that as many stay under way, cost 10 %.
 void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, global const float *blocks, bool any
-                  PROFILED(, uint *visits)) {
+                  AND_PROFILED(uint *visits)) {
     StreamSetup setup;
     Flying flying;
     Flock flock = {0u, 0u};

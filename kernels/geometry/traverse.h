@@ -116,7 +116,7 @@ ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uin
 // With PROFILE the nodes and the blocks visited are added to visits[0] and [1].
 // The ray comes in pieces because a struct would come through memory, which cost up to 30 % of a ray (PoCL 3.1).
 Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global const float *nodes,
-             global const float *blocks, uint root, bool any PROFILED(, uint *visits)) {
+             global const float *blocks, uint root, bool any AND_PROFILED(uint *visits)) {
     Hit hit;
     hit.t = t_max;
     hit.block = hit.slot = hit.primitive = BVH_NO_PRIMITIVE;
@@ -144,16 +144,16 @@ Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global c
     }
 }
 
-Hit trace_closest(Ray ray, global const float *nodes, global const float *blocks, uint root PROFILED(, uint *visits)) {
-    Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, false PROFILED(, visits));
+Hit trace_closest(Ray ray, global const float *nodes, global const float *blocks, uint root AND_PROFILED(uint *visits)) {
+    Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, false AND_PROFILED(visits));
     if (hit.block == BVH_NO_PRIMITIVE) return hit;
     hit.primitive = block_primitive(blocks, hit.block, hit.slot);
     return hit;
 }
 
 // 1: something is in the way.
-int trace_any(Ray ray, global const float *nodes, global const float *blocks, uint root PROFILED(, uint *visits)) {
-    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, true PROFILED(, visits));
+int trace_any(Ray ray, global const float *nodes, global const float *blocks, uint root AND_PROFILED(uint *visits)) {
+    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, true AND_PROFILED(visits));
     return hit.block != BVH_NO_PRIMITIVE;
 }
 

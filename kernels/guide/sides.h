@@ -11,8 +11,8 @@ float luminance(float3 rgb) { return dot(rgb, (float3)(0.2126f, 0.7152f, 0.0722f
 
 // Radiance from where a ray goes that a surface sent out with density `density`; nothing from what it lights.
 float3 side_light_met(const Scene *scene, Ray ray, float3 normal, float density) {
-    PROFILED(uint visits[2] = {0u, 0u};) // nobody's rays
-    const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, scene->frame->bvh_root PROFILED(, visits));
+    PROFILED(uint visits[2]; visits[0] = visits[1] = 0u;) // nobody's rays
+    const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, scene->frame->bvh_root AND_PROFILED(visits));
     const bool missed = hit.block == BVH_NO_PRIMITIVE;
     const Receiver receiver = receiver_at(ray.origin, normal);
     float3 light = light_of_rects(scene, &receiver, ray.direction, missed ? MAXFLOAT : hit.t, density, false);
@@ -30,13 +30,13 @@ float side_light(const Scene *scene, uint i, float3 position, float3 normal) {
     Path path;
     path.throughput = (float4)(1.0f);
     const float3 error = (float3)(GUIDE_PROBE_START);
-    PROFILED(uint visits[2] = {0u, 0u};)
+    PROFILED(uint visits[2]; visits[0] = visits[1] = 0u;)
     float sum = 0.0f;
     for (uint sample = 0; sample < SIDE_SAMPLES; sample++) {
         const Sampler sampler = sampler_of(SIDE_SEED, i, sample, 0u);
         const Shadow shadow = light_lambert(scene, &path, sampler, position, error, normal, normal);
         if (shadow_asked(&shadow) &&
-            !trace_any(shadow.ray, scene->nodes, scene->blocks, scene->frame->bvh_root PROFILED(, visits)))
+            !trace_any(shadow.ray, scene->nodes, scene->blocks, scene->frame->bvh_root AND_PROFILED(visits)))
             sum += luminance(shadow.light);
         const float3 direction = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), normal, normal);
         const Ray ray = path_ray(offset_point(position, error, normal, direction), direction);

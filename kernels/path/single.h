@@ -11,7 +11,7 @@ void single_light(const Scene *scene, Path *path, const Shadow *shadow, Counts *
     if (!shadow_asked(shadow)) return;
     counts->value[COUNTER_shadow_rays] += 1u;
     if (!trace_any(shadow->ray, scene->nodes, scene->blocks,
-                   scene->frame->bvh_root PROFILED(, counts->profile + PROFILE_shadow_nodes)))
+                   scene->frame->bvh_root AND_PROFILED(counts->profile + PROFILE_shadow_nodes)))
         path->radiance.xyz += shadow->light;
 }
 
@@ -37,7 +37,7 @@ void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts,
         Shadow shadow;
         if (path->state == PATH_RAY || path->state == PATH_THICKNESS) {
             const Hit hit = trace_closest(next_ray(scene, path), scene->nodes, scene->blocks,
-                                          ray_root(scene, path) PROFILED(, counts->profile + PROFILE_ray_nodes));
+                                          ray_root(scene, path) AND_PROFILED(counts->profile + PROFILE_ray_nodes));
             shadow = next_meet(scene, path, hit, counts, layers);
             budget -= min(budget, PATH_RAY_COST);
         } else if (HAS(DIFFUSION_MODEL) && path->state == PATH_PROBE) {

@@ -109,7 +109,7 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const Path *path, u
     LANE_UINT(lanes->max_depth, l) = path->max_depth;
     LANE_UINT(lanes->path, l) = at;
     LANE_FLOAT(lanes->clear, l) = 0.0f;
-    if (HAS(CLEARANCE)) clearance_set(&lanes->field, l, object->clearance);
+    if (HAS(CLEARANCE)) clearance_set(&lanes->field, l, &object->clearance);
     if (GUIDED) guide_load(scene, &lanes->guide, l, path);
 }
 

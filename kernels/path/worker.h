@@ -34,7 +34,7 @@ void worker_light(const Scene *scene, Worker *worker, Counts *counts) {
     if (worker->shadow_count == 0u) return;
     counts->value[COUNTER_shadow_rays] += worker->shadow_count;
     trace_stream(&worker->shadows, first_bits(worker->shadow_count), scene->nodes, scene->blocks,
-                 true PROFILED(, counts->profile + PROFILE_shadow_nodes));
+                 true AND_PROFILED(counts->profile + PROFILE_shadow_nodes));
     for (uint i = 0; i < worker->shadow_count; i++)
         if (worker->shadows.block[i] == BVH_NO_PRIMITIVE)
             worker->pool[as_uint(worker->light[i].w)].radiance.xyz += worker->light[i].xyz;
@@ -96,7 +96,7 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
             stream_put(&worker->stream, i, next_ray(scene, &path), ray_root(scene, &path));
         }
         trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks,
-                     false PROFILED(, counts->profile + PROFILE_ray_nodes));
+                     false AND_PROFILED(counts->profile + PROFILE_ray_nodes));
         for (uint i = 0; i < part; i++) {
             const uint at = worker->rays[first + i];
             Path path = worker->pool[at];

@@ -72,12 +72,15 @@ SHARED_END
 #define PROFILE_TAIL (COUNTER_TAIL + 16)
 #define PROFILE_WORDS (PROFILE_TAIL + COUNTER_SLICES * PROFILE_STRIDE)
 
-// PROFILED(tokens): only with -DPROFILE. It brings its own semicolons and commas, so that without PROFILE nothing is left;
-// never the one statement of an `if` without braces, for the same reason.
+// PROFILED(tokens): only with -DPROFILE. It brings its own semicolon, so that without PROFILE nothing is left; never the one
+// statement of an `if` without braces, for the same reason. AND_PROFILED is the last of some arguments. One token list each:
+// OpenCL C 1.2 knows no macros with any number of arguments, and NVIDIA's compiler takes none.
 #ifdef PROFILE
-#define PROFILED(...) __VA_ARGS__
+#define PROFILED(tokens) tokens
+#define AND_PROFILED(argument) , argument
 #else
-#define PROFILED(...)
+#define PROFILED(tokens)
+#define AND_PROFILED(argument)
 #endif
 
 #endif

@@ -17,22 +17,23 @@ typedef struct {
     whole first;                 // in words
 } ClearanceLanes;
 
-// From now on `lane` walks in the object with field `c`.
-void clearance_set(ClearanceLanes *lanes, uint lane, Clearance c) {
-    LANE_FLOAT(lanes->corner_x, lane) = c.corner.x;
-    LANE_FLOAT(lanes->corner_y, lane) = c.corner.y;
-    LANE_FLOAT(lanes->corner_z, lane) = c.corner.z;
-    LANE_FLOAT(lanes->edge, lane) = c.corner.w;
-    LANE_FLOAT(lanes->inverse_edge, lane) = c.inverse_edge;
-    LANE_FLOAT(lanes->unit, lane) = c.unit;
-    LANE_FLOAT(lanes->rounding, lane) = c.rounding;
+// From now on `lane` walks in the object with field `c`. By address: where the struct is copied, NVIDIA's compiler (580.159) comes
+// to no end.
+void clearance_set(ClearanceLanes *lanes, uint lane, global const Clearance *c) {
+    LANE_FLOAT(lanes->corner_x, lane) = c->corner.x;
+    LANE_FLOAT(lanes->corner_y, lane) = c->corner.y;
+    LANE_FLOAT(lanes->corner_z, lane) = c->corner.z;
+    LANE_FLOAT(lanes->edge, lane) = c->corner.w;
+    LANE_FLOAT(lanes->inverse_edge, lane) = c->inverse_edge;
+    LANE_FLOAT(lanes->unit, lane) = c->unit;
+    LANE_FLOAT(lanes->rounding, lane) = c->rounding;
     // Without a field every look-up reads the buffer's first byte, and a unit of 0 makes nothing of it.
-    LANE_FLOAT(lanes->last_x, lane) = convert_float(max(CLEARANCE_BRICK * c.bricks_x, 1u) - 1u);
-    LANE_FLOAT(lanes->last_y, lane) = convert_float(max(CLEARANCE_BRICK * c.bricks_y, 1u) - 1u);
-    LANE_FLOAT(lanes->last_z, lane) = convert_float(max(CLEARANCE_BRICK * c.bricks_z, 1u) - 1u);
-    LANE_INT(lanes->bricks_x, lane) = (int)c.bricks_x;
-    LANE_INT(lanes->bricks_y, lane) = (int)c.bricks_y;
-    LANE_INT(lanes->first, lane) = (int)(c.first / 4u);
+    LANE_FLOAT(lanes->last_x, lane) = convert_float(max(CLEARANCE_BRICK * c->bricks_x, 1u) - 1u);
+    LANE_FLOAT(lanes->last_y, lane) = convert_float(max(CLEARANCE_BRICK * c->bricks_y, 1u) - 1u);
+    LANE_FLOAT(lanes->last_z, lane) = convert_float(max(CLEARANCE_BRICK * c->bricks_z, 1u) - 1u);
+    LANE_INT(lanes->bricks_x, lane) = (int)c->bricks_x;
+    LANE_INT(lanes->bricks_y, lane) = (int)c->bricks_y;
+    LANE_INT(lanes->first, lane) = (int)(c->first / 4u);
 }
 
 // Cell of a coordinate, as a whole number; beyond the grid its nearest one. NaN gives 0.

@@ -142,7 +142,7 @@ Walks turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, Walks
     Walks left = 0u;
     while (flying != 0u) {
         counts->value[COUNTER_walk_rays] += popcount(flying);
-        trace_stream(stream, flying, scene->nodes, scene->blocks, false PROFILED(, counts->profile + PROFILE_walk_nodes));
+        trace_stream(stream, flying, scene->nodes, scene->blocks, false AND_PROFILED(counts->profile + PROFILE_walk_nodes));
         Walks onward = 0u;
         FOR_WALKS(w, flying) {
             WalkLanes *lanes = GROUP(groups, w / LANES);

@@ -26,7 +26,7 @@ cl::Program compile(const Device &device, const std::string &source, const std::
         for (const auto &[_, text] : error.getBuildLog()) log += text;
         throw Error(
             Exit::device, device.info.name,
-            fmt::format("{} failed with {} (options {}):\n{}", error.what(), error_name(error.err()), options, log));
+            fmt::format("{} failed with {} (options {}):\n{}", error.what(), error_name(error.err()), options, located(log, source)));
     }
     return program;
 }

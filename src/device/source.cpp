@@ -1,8 +1,11 @@
 #include "device/source.h"
 #include "base/error.h"
 #include <fstream>
+#include <iomanip>
+#include <regex>
 #include <set>
 #include <sstream>
+#include <vector>
 
 namespace nacre::device {
 namespace {
@@ -44,6 +47,29 @@ std::string assemble(const std::string &entry, const std::filesystem::path &fold
     std::string out;
     expand(entry, folder, seen, out);
     return out;
+}
+
+std::string located(const std::string &log, const std::string &source) {
+    std::vector<std::string> places{""}; // of line n
+    std::istringstream lines(source);
+    std::string name;
+    int number = 0;
+    for (std::string line; std::getline(lines, line); ++number) {
+        places.push_back(fmt::format("{}:{}:", name, number));
+        if (line.rfind("#line ", 0) != 0) continue;
+        std::istringstream(line.substr(6)) >> number >> std::quoted(name);
+        --number; // it is of the next line
+    }
+    static const std::regex counted("<kernel>:([0-9]+):");
+    std::string out;
+    std::size_t end = 0;
+    for (std::sregex_iterator found(log.begin(), log.end(), counted), none; found != none; ++found) {
+        out.append(log, end, std::size_t(found->position()) - end);
+        const std::size_t line = std::stoul(found->str(1));
+        out += line < places.size() ? places[line] : found->str();
+        end = std::size_t(found->position() + found->length());
+    }
+    return out.append(log, end);
 }
 
 } // namespace nacre::device

@@ -14,4 +14,8 @@ const std::map<std::string, std::string_view> &embedded_kernels();
 /// Throws Error{Exit::device} when a file is missing.
 std::string assemble(const std::string &entry, const std::filesystem::path &folder = {});
 
+/// A build log with file and line of what it says about `source`: NVIDIA's compiler heeds no #line and counts the lines
+/// of the whole ("<kernel>:5082:88:").
+std::string located(const std::string &log, const std::string &source);
+
 } // namespace nacre::device

@@ -94,6 +94,16 @@ TEST(Source, IncludesAreExpandedOnce) {
     EXPECT_THROW(device::assemble("no_such.cl"), Error);
 }
 
+TEST(Source, LinesOfTheWholeBecomeThoseOfFiles) {
+    const std::string source = "#line 1 \"a.cl\"\n#line 1 \"b.h\"\nint b;\n#line 2 \"a.cl\"\nint a;\nint c;\n";
+    EXPECT_EQ(device::located("<kernel>:3:7: error: b\nx\n<kernel>:6:1: c, <kernel>:5:2:\n", source),
+              "b.h:1:7: error: b\nx\na.cl:3:1: c, a.cl:2:2:\n");
+    EXPECT_EQ(device::located("b.h:1:7: error\n<kernel>:99:1: ?", source), "b.h:1:7: error\n<kernel>:99:1: ?");
+    const std::string all = device::assemble("render.cl");
+    const auto at = std::count(all.begin(), all.begin() + std::ptrdiff_t(all.find("void trace_paths")), '\n') + 1;
+    EXPECT_EQ(device::located(fmt::format("<kernel>:{}:1:", at), all).rfind("render.cl:", 0), 0u);
+}
+
 TEST(Devices, SelectorsAndErrors) {
     const auto devices = device::list_devices();
     ASSERT_FALSE(devices.empty());

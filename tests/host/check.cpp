@@ -60,6 +60,21 @@ TEST(Check, NamesColorsOutOfReach) {
                    "ball", "reaches 2");
 }
 
+TEST(Check, KnowsWhichChannelSamplingSuits) {
+    for (const auto sampling :
+         {shared::CHANNEL_SINGLE, shared::CHANNEL_ALBEDO, shared::CHANNEL_THROUGHPUT, shared::CHANNEL_HERO}) {
+        Scene scene = good_scene();
+        scene.render.channel_sampling = sampling;
+        scene.materials[0][shared::PARAMETER_subsurface_radius_scale].value.setConstant(1);
+        EXPECT_TRUE(check(scene).empty()) << "grey";
+        scene.materials[0][shared::PARAMETER_subsurface_radius_scale].value = {1, .5, .25};
+        if (sampling == shared::CHANNEL_SINGLE || sampling == shared::CHANNEL_ALBEDO)
+            expect_finding(scene, "ball", "take hero");
+        else
+            EXPECT_TRUE(check(scene).empty()) << sampling;
+    }
+}
+
 TEST(Check, CountsOpenEdges) {
     Scene scene = good_scene();
     scene.objects[0].mesh.triangles.pop_back();

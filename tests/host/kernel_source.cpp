@@ -1,4 +1,5 @@
-// Without -DPROFILE the compiler sees what it would see if nothing had ever been counted for a profile.
+// What compilers see of the kernels: without -DPROFILE as if nothing had ever been counted for a profile, and nothing
+// that some of them do not take.
 #include "device/program.h"
 #include "device/source.h"
 #include "shared/features.h"
@@ -7,6 +8,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <regex>
 #include <sstream>
 #include <unistd.h>
 
@@ -27,7 +29,7 @@ std::string without_calls(std::string text, const std::string &name) {
     return text;
 }
 
-/// `source` without its blocks of #if … PROFILE, without PROFILED(…) and the two that are made of it.
+/// `source` without its blocks of #if … PROFILE, without PROFILED(…) and its kin.
 std::string stripped(const std::string &source) {
     std::istringstream lines(source);
     std::string out;
@@ -40,7 +42,7 @@ std::string stripped(const std::string &source) {
         if (depth == 0 && !definition) out += line + '\n';
         if (closes && depth > 0) --depth;
     }
-    for (const char *name : {"COUNT_PROFILE", "COUNT_WALK", "PROFILED"}) out = without_calls(out, name);
+    for (const char *name : {"COUNT_PROFILE", "COUNT_WALK", "AND_PROFILED", "PROFILED"}) out = without_calls(out, name);
     return out;
 }
 
@@ -84,10 +86,21 @@ TEST(ProfileSource, NothingIsLeftWithoutIt) {
             }
 }
 
+/// OpenCL C 1.2 has none. Most compilers take them, NVIDIA's does not.
+TEST(KernelSource, HasNoVariadicMacros) {
+    static const std::regex variadic("#define \\w+\\([^)\n]*\\.\\.\\.");
+    for (const char *entry : {"render.cl", "probe.cl", "probe_lanes.cl", "probe_guide.cl", "probe_clearance.cl"}) {
+        const std::string source = assemble(entry);
+        ASSERT_GT(source.size(), 10000u) << entry;
+        EXPECT_FALSE(std::regex_search(source, variadic)) << entry;
+    }
+    EXPECT_TRUE(std::regex_search("a\n#define B(...) c\n", variadic));
+}
+
 TEST(ProfileSource, StrippingTakesAllOfIt) {
     const std::string text =
         stripped("a;\n#ifdef PROFILE\n#ifdef x\nb;\n#endif\nc;\n#else\nd;\n#endif\n#ifdef y\ne;\n#endif\n"
-                 "COUNT_PROFILE(counts, walk_nodes, f(g(1), 2))\nh(i PROFILED(, &j[(k)]));\n"
+                 "COUNT_PROFILE(counts, walk_nodes, f(g(1), 2))\nh(i AND_PROFILED(&j[(k)]));\n"
                  "#if defined(PROFILE) || !defined(z)\nl;\n#endif\nCOUNT_WALK(m, n)\no;\n");
     EXPECT_EQ(text, "a;\n#ifdef y\ne;\n#endif\n\nh(i );\n\no;\n");
 }
