@@ -13,9 +13,9 @@
 // then there are few of them, with `pool` as their store.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void trace_paths(
     SCENE_PARAMETERS, Batch batch, global float4 *radiance, global float4 *layers, global const Path *resumed,
-    global Path *suspended, volatile global uint *counters, global Path *pool LISTED(, global const uint *tiles)) {
+    global Path *suspended, volatile global uint *counters, global Path *pool AND_LISTED(global const uint *tiles)) {
     const Scene view = {SCENE_ARGUMENTS}, *scene = &view;
-    const Launch launch = {batch, radiance, layers, resumed, suspended, counters LISTED(, tiles)};
+    const Launch launch = {batch, radiance, layers, resumed, suspended, counters AND_LISTED(tiles)};
     Counts counts = no_counts();
 #if LANES == 1
     trace_single(scene, &launch, get_global_id(0), &counts);
@@ -28,7 +28,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void trace_paths(
 // Adds a traced batch to the film, `planes` float4 per pixel of the tile order.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void accumulate(
     SCENE_PARAMETERS, Batch batch, global const float4 *radiance, global const float4 *layers, global float4 *film,
-    uint planes LISTED(, global const uint *tiles)) {
+    uint planes AND_LISTED(global const uint *tiles)) {
     const Scene view = {SCENE_ARGUMENTS}, *scene = &view;
     const uint i = get_global_id(0);
     if (i >= batch.pixel_count) return;

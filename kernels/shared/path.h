@@ -84,11 +84,13 @@ typedef struct Batch Batch;
 #define LIST_EVENT_COST 4u        // a surface's, with its rays, against one flight of a walk
 #define LIST_MOST_COST (1u << 20) // floats hold it and alpha
 
-// With -DTILE_LIST only.
+// Only with -DTILE_LIST; as PROFILED, shared/counters.h.
 #ifdef TILE_LIST
-#define LISTED(...) __VA_ARGS__
+#define LISTED(tokens) tokens
+#define AND_LISTED(argument) , argument
 #else
-#define LISTED(...)
+#define LISTED(tokens)
+#define AND_LISTED(argument)
 #endif
 
 #endif
