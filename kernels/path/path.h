@@ -86,18 +86,19 @@ bool specular_at(const Scene *scene, global const Material *material, const Surf
     return true;
 }
 
-// The chance to reflect a path that meets the microfacet's reflectance `reflected`, where `let_through` gets to the base: least
-// variance if both lead to the same light. At the first surface it is the variance against the colour that shows, so that
-// a dark channel's highlights, which are most of its light, are not left to rare paths; further on that of what the path brings.
+// The chance to reflect a path that meets the microfacet's reflectance `reflected`, where `let_through` gets to the base: the
+// largest channel of `reflected`, so that no weight grows; more at the first surface, if the variance against the colour
+// that shows is less then, supposing that both lead to the same light: a dark channel's highlights, which are most of
+// its light, are not left to rare paths.
 float reflection_chance(const Path *path, float3 reflected, float let_through, float4 base) {
-    const bool first = path->hits == 1u;
-    const float3 returned = let_through * base.xyz;
-    const float3 scale = first ? 1.0f / (reflected + returned + PATH_LEAST_COLOR) : path->throughput.xyz;
+    const float least = fmin(1.0f, largest3(reflected));
+    if (path->hits > 1u || !(least > 0.0f)) return least;
+    const float3 returned = let_through * base.xyz, shown = reflected + returned + PATH_LEAST_COLOR;
     // What a medium returns is noisy, unless it is white: up to twice its mean.
     const float noise = 1.0f + base.w * (1.0f - fmin(1.0f, fmin(base.x, fmin(base.y, base.z))));
-    const float a = length(scale * reflected), b = noise * length(scale * returned);
+    const float a = length(reflected / shown), b = noise * length(returned / shown);
     // A dark medium may be bright where it is thin.
-    return a > 0.0f ? fmin(a / (a + b), 1.0f - PATH_LEAST_BASE * let_through) : 0.0f;
+    return fmax(least, fmin(a / (a + b), 1.0f - PATH_LEAST_BASE * let_through));
 }
 
 // Reflects the path, or lets it through to the base, see base_at, with what is left for that. xi in (0, 1) decides.
