@@ -1,6 +1,6 @@
-// The reflecting layer: GGX over a dielectric or a metal. A microfacet is drawn first; the path is reflected with the
-// probability r = F G2/G1 that this microfacet reflects it, and goes on into the layer below otherwise. Both have weight 1,
-// E[r] is the layer's albedo E_spec(omega_o) exactly, so the base gets 1 - E_spec without a table and a furnace stays 1.
+// The reflecting layer: GGX over a dielectric or a metal. A microfacet is drawn first; it reflects r = F G2/G1 and lets 1 - r go on
+// into the layer below, one of which the path draws, with a chance of its own, and is divided by that. E[r] is the layer's albedo
+// E_spec(omega_o) exactly, so the base gets 1 - E_spec without a table and a furnace stays 1.
 #ifndef NACRE_BSDF_SPECULAR_H
 #define NACRE_BSDF_SPECULAR_H
 
@@ -64,9 +64,7 @@ float3 specular_eval(const Specular *specular, float3 world) {
     return specular_unfolded(specular, world) + specular_unfolded(specular, unfold(world, specular->geometric));
 }
 
-// How likely the path is reflected where the reflectance is r, and how dense reflected directions are where the BSDF x
-// cosine is r: the largest channel.
-float specular_chance(float3 r) { return fmin(1.0f, fmax(r.x, fmax(r.y, r.z))); }
+// About how dense reflected directions are where the BSDF x cosine is r, for the balance with draws of lights: the largest channel.
 float specular_density(float3 r) { return fmax(r.x, fmax(r.y, r.z)); }
 
 #endif

@@ -1,9 +1,9 @@
 // A medium below a dielectric interface: how a path gets in through it, and how it keeps walks in.
 //
-// Entry `refracted`. The specular layer draws a microfacet and reflects the path with the chance r that this facet does; else
-// the path enters, refracted by the same facet. So r + (1 - r) = 1 facet by facet: the entry's weight is 1, and what is
-// reflected is taken off where it was reflected, not by an average over the facets. Light that facets send on to one another is
-// not followed; it enters as well, and a furnace stays 1 at every roughness.
+// Entry `refracted`. The specular layer draws a microfacet and reflects r of the path; else the path enters, refracted by the
+// same facet. So r + (1 - r) = 1 facet by facet, whatever the chance of each: what is reflected is taken off where it was
+// reflected, not by an average over the facets. Light that facets send on to one another is not followed; it enters as well, and a
+// furnace stays 1 at every roughness.
 //
 // Reflection inside. The interface is smooth there (what walks have scattered is spread over all directions already) and lies in
 // the plane of the geometric normal, which alone says what inside is. A walk is turned back with Fresnel's chance, else it

@@ -10,6 +10,12 @@
 #define PATH_ROULETTE_START 3u
 #endif
 
+// The least share of the paths that an interface lets through which go through it.
+#define PATH_LEAST_BASE 0.5f
+
+// Colours that are darker need not be as exact for what they are. Also keeps black ones from dividing by 0.
+#define PATH_LEAST_COLOR 0.01f
+
 // Which pixel of the whole image is at `index` of the tile order; false: beyond the crop's edge.
 bool pixel_at(const Scene *scene, uint index, uint *x, uint *y) {
     global const Frame *frame = scene->frame;
@@ -47,14 +53,18 @@ Path path_begin(const Scene *scene, uint x, uint y, uint sample, uint slot) {
     return path;
 }
 
-// Layers of the first surface: its colour (of the medium where there is one), distance, normal.
+// What lies below the reflecting layer: its colour; w: how much of it is a medium.
+float4 base_at(const Scene *scene, global const Material *material, float2 uv) {
+    const float3 color = material_color(scene, material, PARAMETER_base_color, uv);
+    if (!HAS(SUBSURFACE)) return (float4)(color, 0.0f);
+    const float subsurface = material_number(scene, material, PARAMETER_subsurface_weight, uv);
+    return (float4)(mix(color, material_color(scene, material, PARAMETER_subsurface_color, uv), subsurface), subsurface);
+}
+
+// Layers of the first surface: its colour, distance, normal.
 void path_describe(const Scene *scene, global const Material *material, const Surface *surface, float distance,
                    global float4 *layers) {
-    const float subsurface =
-        HAS(SUBSURFACE) ? material_number(scene, material, PARAMETER_subsurface_weight, surface->uv) : 0.0f;
-    const float3 color = mix(material_color(scene, material, PARAMETER_base_color, surface->uv),
-                             material_color(scene, material, PARAMETER_subsurface_color, surface->uv), subsurface);
-    layers[0] = (float4)(color, distance);
+    layers[0] = (float4)(base_at(scene, material, surface->uv).xyz, distance);
     layers[1] = (float4)(surface->shading, 0.0f);
 }
 
@@ -76,12 +86,27 @@ bool specular_at(const Scene *scene, global const Material *material, const Surf
     return true;
 }
 
-// Reflects the path, or lets it through to the base with what is left for that. xi in (0, 1) decides.
-bool path_reflect(Path *path, const Specular *specular, float2 xi_microfacet, float xi) {
+// The chance to reflect a path that meets the microfacet's reflectance `reflected`, where `let_through` gets to the base: the
+// largest channel of `reflected`, so that no weight grows; more at the first surface, if the variance against the colour
+// that shows is less then, supposing that both lead to the same light: a dark channel's highlights, which are most of
+// its light, are not left to rare paths.
+float reflection_chance(const Path *path, float3 reflected, float let_through, float4 base) {
+    const float least = fmin(1.0f, largest3(reflected));
+    if (path->hits > 1u || !(least > 0.0f)) return least;
+    const float3 returned = let_through * base.xyz, shown = reflected + returned + PATH_LEAST_COLOR;
+    // What a medium returns is noisy, unless it is white: up to twice its mean.
+    const float noise = 1.0f + base.w * (1.0f - fmin(1.0f, fmin(base.x, fmin(base.y, base.z))));
+    const float a = length(reflected / shown), b = noise * length(returned / shown);
+    // A dark medium may be bright where it is thin.
+    return fmax(least, fmin(a / (a + b), 1.0f - PATH_LEAST_BASE * let_through));
+}
+
+// Reflects the path, or lets it through to the base, see base_at, with what is left for that. xi in (0, 1) decides.
+bool path_reflect(Path *path, const Specular *specular, float4 below, float2 xi_microfacet, float xi) {
     float3 direction;
     float base;
     const float3 r = specular_sample(specular, xi_microfacet, &direction, &base);
-    const float chance = specular_chance(r);
+    const float chance = reflection_chance(path, r, base, below);
     if (xi >= chance) {
         path->throughput.xyz *= base / (1.0f - chance);
         return false;
@@ -109,7 +134,8 @@ Shadow path_scatter(const Scene *scene, Path *path, global const Material *mater
             const float3 r = specular_eval(&specular, sample.direction);
             direct += path->throughput.xyz * r * light_share(&sample, specular_density(r));
         }
-        reflected = path_reflect(path, &specular, draw_pair(sampler, DRAW_MICROFACET), lobe.x);
+        reflected = path_reflect(path, &specular, base_at(scene, material, surface->uv),
+                                 draw_pair(sampler, DRAW_MICROFACET), lobe.x);
     }
     if (!reflected) {
         const float subsurface =

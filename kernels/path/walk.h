@@ -36,7 +36,14 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     path->depth = 1u;
     path->steps = 0u;
     path_below(scene, path, surface->position, surface->geometric);
-    const WalkStart start = walk_start(scene, first.x);
+    // The walk takes the colour of the path along; a black path (its roulette will end it) has none.
+    const float heaviest = largest3(path->throughput.xyz);
+    float3 color = (float3)(1.0f);
+    if (heaviest > 0.0f) {
+        color = path->throughput.xyz * (1.0f / heaviest);
+        path->throughput.xyz = (float3)(heaviest);
+    }
+    const WalkStart start = walk_start(scene, color, first.x);
     path->weight.xyz = start.weight;
     path->share.xyz = start.share;
     path->channel = start.channel;

@@ -14,7 +14,7 @@ struct Path {
     float4 direction;  // of it; w: density with which the BSDF chose it, < 0: lights were not sampled for it
     float4 throughput;
     float4 radiance;   // so far; w: alpha
-    float4 weight;     // walk: W_c, throughput of each channel since the entry
+    float4 weight;     // walk: W_c, throughput of each channel over `throughput`, which is then the largest at the entry
     float4 share;      // walk: P_c, probability of each channel as the one that draws the flight
     float4 sigma;      // walk: extinction per channel
     float4 albedo;     // walk: single-scattering albedo per channel

@@ -64,14 +64,17 @@ typedef struct {
     uint channel;
 } WalkStart;
 
-WalkStart walk_start(const Scene *scene, float xi) {
+// `color`: what the path brings back through each channel so far, the largest 1. Channels draw in proportion to it, and weights
+// begin with it, so that those of one walk after the other do not multiply: by balance, their sum stays what it is at the entry.
+WalkStart walk_start(const Scene *scene, float3 color, float xi) {
     WalkStart start;
-    start.channel = min((uint)(xi * 3.0f), 2u);
-    start.weight = (float3)(1.0f);
-    start.share = (float3)(1.0f / 3.0f);
+    const float sum = color.x + color.y + color.z;
+    start.weight = color;
+    start.share = color * (1.0f / sum);
+    start.channel = xi < start.share.x ? 0u : xi < start.share.x + start.share.y ? 1u : 2u;
     if (scene->frame->channel_sampling == CHANNEL_SINGLE) {
         start.share = (float3)(start.channel == 0u, start.channel == 1u, start.channel == 2u);
-        start.weight = 3.0f * start.share;
+        start.weight = sum * start.share;
     }
     return start;
 }

@@ -40,6 +40,21 @@ TEST(BsdfFresnel, Dielectric) {
             }
 }
 
+// The highlights of a base that is dark in two channels are most of what shows there: they are drawn about as often as
+// the base, so that samples lie no further from their mean than the mean itself. Drawn as often as they reflect (.04)
+// they would.
+TEST(BsdfFresnel, HighlightsOfDarkChannelsAreNotRare) {
+    const Vec3 color(.9, .01, .02);
+    scene::Scene scene = shiny_floor(0);
+    scene.materials[0][PARAMETER_base_color].value = color;
+    scene.materials[0][PARAMETER_specular_ior].value = Vec3::Constant(1.5);
+    scene.camera.position = Vec3(1, 1000, 0).normalized() * 3;
+    const double reflected = fresnel(1, 1.5);
+    const Vec3 exact = Vec3::Constant(reflected) + (1 - reflected) * color;
+    constexpr double samples = 64 * 64; // of 8 x 8 pixels
+    expect_shot(shoot(scene, 64), exact, 1 / std::sqrt(samples), 1e-3, "red floor");
+}
+
 // A metal's colour at normal incidence is base_color; at grazing incidence it is white (Schlick).
 TEST(BsdfFresnel, Metal) {
     const Vec3 color(.9, .5, .1);
