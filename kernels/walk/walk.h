@@ -71,7 +71,8 @@ WalkStart walk_start(const Scene *scene, float3 color, float xi) {
     const float sum = color.x + color.y + color.z;
     start.weight = color;
     start.share = color * (1.0f / sum);
-    start.channel = xi < start.share.x ? 0u : xi < start.share.x + start.share.y ? 1u : 2u;
+    const bool second = xi < start.share.x + start.share.y || !(start.share.z > 0.0f); // else shares that round to less than 1
+    start.channel = xi < start.share.x ? 0u : second ? 1u : 2u;
     if (scene->frame->channel_sampling == CHANNEL_SINGLE) {
         start.share = (float3)(start.channel == 0u, start.channel == 1u, start.channel == 2u);
         start.weight = sum * start.share;
