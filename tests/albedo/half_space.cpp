@@ -86,5 +86,22 @@ TEST(HalfSpace, CurveBetweenNodes) {
     }
 }
 
+// Near white reciprocal flights of a bleed above 1 go like 1 - s^(2 / (1 + bleed)), not like a polynomial: H-functions,
+// which hold for any similarity, say how well this is met, and the modes elsewhere.
+TEST(HalfSpace, ReciprocalCurveNearWhite) {
+    for (const double bleed : {.5, 1.3, 2., 4.}) {
+        const HalfSpace isotropic(0, bleed, FLIGHT_RECIPROCAL);
+        for (const double s : {1e-6, 1e-5, 1e-4, 1e-3, .03})
+            EXPECT_NEAR(isotropic.color(s, ENTRY_LAMBERT),
+                        reflectance(albedo_of(s, 0), 0, bleed, FLIGHT_RECIPROCAL).lambert, 1e-5)
+                << "bleed " << bleed << ", similarity " << s;
+    }
+    const HalfSpace medium(-.95, 2, FLIGHT_RECIPROCAL);
+    for (const double s : {1e-3, .03, .24})
+        EXPECT_NEAR(medium.color(s, ENTRY_LAMBERT), reflectance(albedo_of(s, -.95), -.95, 2, FLIGHT_RECIPROCAL).lambert,
+                    1e-6)
+            << "similarity " << s;
+}
+
 } // namespace
 } // namespace nacre::albedo
