@@ -250,12 +250,14 @@ MemoFit fit_in_two_stages(const Survey &survey, const MemoFit &start) {
 
 MemoFit fit_jointly(const Survey &survey, const MemoFit &start) {
     return fit_coefficients(start, [&](ceres::Problem &problem, auto... sets) {
-        for (const Column &column : columns_of(survey))
+        for (Column column : columns_of(survey)) {
+            column.push_back({column[0].g, 1, 1, 0}); // what scatters all is white, without a render
             for (std::size_t i = 0; i < column.size(); ++i)
                 problem.AddResidualBlock(
                     new ceres::AutoDiffCostFunction<ColorResidual, 1, 8, 9, 8, 8, 9, 8>(
                         new ColorResidual{column[i].color, column[i].g, column[i].albedo, slope_at(column, i)}),
                     nullptr, sets...);
+        }
     });
 }
 
