@@ -57,13 +57,21 @@ Reflectance reflectance(double albedo, double g, double bleed, shared::FlightLaw
 }
 
 HalfSpace::HalfSpace(double g, double bleed, shared::FlightLaw law) {
-    // Renewal flights: colour is analytic in the similarity, even at 0, with any bleed. Reciprocal ones: near 0 it goes
-    // like 1 - s^min(1, 1 / bleed), since the first flight has the longest tail.
+    // Renewal flights: colour is analytic in the similarity, even at 0, with any bleed. Reciprocal ones: near 0 it is a
+    // sum of broken powers, the least of them min(1, 2 / (1 + bleed)), which Chebyshev's points in a root of s bear.
     const bool reciprocal = law == shared::FLIGHT_RECIPROCAL && bleed > 0;
-    power = reciprocal ? std::max(2.0, bleed) : 1;
-    const int count = reciprocal ? 18 : 13;
-    const double least = reciprocal ? std::pow(1e-4, 1 / power) : long_flights(bleed, law) ? least_imbedded : 0.02;
-    node.push_back(0);                   // white, whatever the medium
+    power = reciprocal ? std::max(3.0, 1 + bleed) : 1;
+    const int count = reciprocal ? 24 : 13;
+    double least = long_flights(bleed, law) ? least_imbedded : 0.02;
+    if (reciprocal) {
+        // Modes hold for losses that rounding and the longest flight leave: walks go losses^(-1 / tail) mean free paths
+        // deep. Nearer to white the first flight's tail is all that counts: 1 - color = c (1 - albedo)^(a / tail).
+        const double tail = std::min(2.0, 1 + 1 / bleed), depth = 0.005 / least_extinction;
+        least = std::pow(std::max(1e-10, std::pow(depth, -tail)) / (1 - g), 0.5 / power);
+        white = bleed > 1 ? 2 * power / (1 + bleed) : power;
+    } else {
+        node.push_back(0);
+    }
     for (int i = count - 1; i >= 0; --i) // Chebyshev's points
         node.push_back(least + (1 - least) * 0.5 * (1 + std::cos(std::numbers::pi * i / (count - 1))));
     Solver solver(g, bleed, law);
@@ -72,19 +80,22 @@ HalfSpace::HalfSpace(double g, double bleed, shared::FlightLaw law) {
     for (const double at : node) {
         double product = 1;
         for (const double other : node)
-            if (other != at) product *= 2 * (at - other);
+            if (other != at) product *= 4 * (at - other);
         factor.push_back(1 / product);
     }
 }
 
 double HalfSpace::color(double similarity, shared::Entry entry) const {
+    const auto value = [&](std::size_t i) {
+        return entry == shared::ENTRY_UNIFORM ? known[i].uniform : known[i].lambert;
+    };
     const double at = std::pow(similarity, 1 / power);
+    if (at < node[0]) return 1 - (1 - value(0)) * std::pow(at / node[0], white);
     double sum = 0, weights = 0;
     for (std::size_t i = 0; i < node.size(); ++i) {
-        const double value = entry == shared::ENTRY_UNIFORM ? known[i].uniform : known[i].lambert;
-        if (at == node[i]) return value;
+        if (at == node[i]) return value(i);
         const double w = factor[i] / (at - node[i]);
-        sum += w * value;
+        sum += w * value(i);
         weights += w;
     }
     return sum / weights;

@@ -10,9 +10,11 @@ namespace nacre::albedo {
 /// Throws std::runtime_error where imbedding does not converge: renewal flights of bleed > 1.1, similarities below .1.
 Reflectance reflectance(double albedo, double g, double bleed, shared::FlightLaw law);
 
-/// The colours of a half-space for all albedos, from some reflectances between which it interpolates: to 2e-5 for
-/// the lambert entry, to 2e-4 for the uniform one at g = .98. Albedos are given by their similarity s = sqrt((1 -
-/// albedo) / (1 - g albedo)) (van de Hulst 1980), in which colour is smooth.
+/// The colours of a half-space for all albedos, from some reflectances between which it interpolates: to 2e-5 for the
+/// lambert entry, to 2e-4 for the uniform one at g = .98. Albedos are given by their similarity
+/// s = sqrt((1 - albedo) / (1 - g albedo)) (van de Hulst 1980), in which colour is smooth but for white and reciprocal
+/// flights. There it is 1 - c s^(2 / (1 + bleed)) for bleed > 1: walks go (1 - albedo)^(-bleed / (1 + bleed)) mean free
+/// paths deep (Levy flights), and what enters further is lost. Up to a second each.
 class HalfSpace {
   public:
     HalfSpace(double g, double bleed, shared::FlightLaw law);
@@ -25,7 +27,8 @@ class HalfSpace {
 
   private:
     double power;                     // similarity = node ^ power
-    std::vector<double> node, factor; // ascending, from 0 to 1; barycentric
+    double white = 1;                 // 1 - color goes like node ^ white below the first node
+    std::vector<double> node, factor; // ascending, to 1; barycentric
     std::vector<Reflectance> known;
 };
 

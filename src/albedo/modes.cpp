@@ -24,15 +24,29 @@ MatrixXd factor(const Ordinates &ordinates, const MatrixXd &phase, double albedo
     return s.llt().matrixL();
 }
 
+struct Modes {
+    MatrixXd left, right; // singular vectors
+};
+
+/// Eigen's divide and conquer gives wrong vectors for one matrix in some thousands, which put a colour off by .009.
+/// They do not give the matrix back: slower rotations then find the right ones.
+Modes modes_of(const MatrixXd &b) {
+    const Eigen::BDCSVD<MatrixXd> fast(b, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const MatrixXd residual = b * fast.matrixV() - fast.matrixU() * fast.singularValues().asDiagonal();
+    if (residual.norm() < 1e-10 * b.norm()) return {fast.matrixU(), fast.matrixV()};
+    const Eigen::JacobiSVD<MatrixXd> slow(b, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return {slow.matrixU(), slow.matrixV()};
+}
+
 } // namespace
 
 Reflectance reflectance_by_modes(const Ordinates &ordinates, double albedo) {
     const MatrixXd even = factor(ordinates, ordinates.phase.same + ordinates.phase.opposite, albedo);
     const MatrixXd odd = factor(ordinates, ordinates.phase.same - ordinates.phase.opposite, albedo);
     const MatrixXd b = odd.transpose() * (ordinates.depth.cwiseInverse().asDiagonal() * even);
-    const Eigen::BDCSVD<MatrixXd> modes(b, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const MatrixXd e = even.transpose().triangularView<Eigen::Upper>().solve(modes.matrixV());
-    const MatrixXd o = odd.transpose().triangularView<Eigen::Upper>().solve(modes.matrixU());
+    const Modes modes = modes_of(b);
+    const MatrixXd e = even.transpose().triangularView<Eigen::Upper>().solve(modes.right);
+    const MatrixXd o = odd.transpose().triangularView<Eigen::Upper>().solve(modes.left);
     // What leaves for what enters: (e - o) (e + o)^-1 in sqrt(w) c, and a current is w v c.
     const VectorXd current = ordinates.weight.cwiseSqrt().cwiseProduct(ordinates.depth);
     const VectorXd out = (e + o).transpose().partialPivLu().solve((e - o).transpose() * current);

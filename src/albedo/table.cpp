@@ -8,18 +8,22 @@ extern "C" const char nacre_albedo_table_begin[], nacre_albedo_table_end[]; // t
 
 namespace {
 
-/// Four nodes around a place on an axis and the weights of the cubic through them.
-struct Cubic {
+/// The nodes around a place on an axis and the weights of the polynomial through them (Lagrange's). The more there are,
+/// the better for analytic functions: of bleed, similarities near white are not quite.
+template <int count> struct Neighbours {
     int first;
-    std::array<double, 4> weight;
+    std::array<double, count> weight;
 };
 
-Cubic cubic(double at, int nodes) {
-    const int first = std::clamp(int(at) - 1, 0, nodes - 4);
-    const double x = at - first;
-    return {first,
-            {-(x - 1) * (x - 2) * (x - 3) / 6, x * (x - 2) * (x - 3) / 2, -x * (x - 1) * (x - 3) / 2,
-             x * (x - 1) * (x - 2) / 6}};
+template <int count> Neighbours<count> neighbours(double at, int nodes) {
+    Neighbours<count> found{std::clamp(int(at) - (count / 2 - 1), 0, nodes - count), {}};
+    const double x = at - found.first;
+    for (int i = 0; i < count; ++i) {
+        double &weight = found.weight[std::size_t(i)] = 1;
+        for (int j = 0; j < count; ++j)
+            if (j != i) weight *= (x - j) / (i - j);
+    }
+    return found;
 }
 
 /// Slope at node i of the cubics through neighbours, made as flat as a monotone interpolant needs (Fritsch & Carlson
@@ -33,8 +37,8 @@ double slope(const std::array<double, table_colors> &y, int i) {
         slope = (-11 * y[0] + 18 * y[1] - 9 * y[2] + 2 * y[3]) / 6;
     else if (i == 1)
         slope = (-2 * y[0] - 3 * y[1] + 6 * y[2] - y[3]) / 6;
-    else if (i == last)
-        slope = (11 * y[last] - 18 * y[last - 1] + 9 * y[last - 2] - 2 * y[last - 3]) / 6;
+    else if (i == last) // color is even about its last node, and white has a similarity of 0 that is not passed
+        slope = 0;
     else
         slope = (2 * y[last] + 3 * y[last - 1] - 6 * y[last - 2] + y[last - 3]) / 6;
     const double before = i > 0 ? y[i] - y[i - 1] : y[1] - y[0], after = i < last ? y[i + 1] - y[i] : before;
@@ -54,11 +58,11 @@ double table_similarity(std::span<const float> table, double color, double g, do
     if (color <= 0) return 1;
     if (color >= 1) return 0;
     bleed = std::clamp(bleed, 0.0, largest_bleed);
-    const Cubic across_g = cubic(node_of_anisotropy(g), table_anisotropies);
-    const Cubic across_bleed = cubic(node_of_bleed(bleed), table_bleeds);
+    const auto across_g = neighbours<8>(node_of_anisotropy(g), table_anisotropies);
+    const auto across_bleed = neighbours<6>(node_of_bleed(bleed), table_bleeds);
     std::array<double, table_colors> column{};
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 6; ++j) {
             const float *known = table.data() + table_index(law, entry, across_g.first + i, across_bleed.first + j);
             const double weight = across_g.weight[std::size_t(i)] * across_bleed.weight[std::size_t(j)];
             for (std::size_t c = 0; c < table_colors; ++c) column[c] += weight * known[c];

@@ -30,9 +30,10 @@ inline double color_at(double node) {
 }
 inline double node_of_color(double color) { return std::sqrt(1 - std::sqrt(1 - color)) * (table_colors - 1); }
 
-/// The table holds similarity ^ (1 / power): for reciprocal flights similarity goes like (1 - color)^bleed near white.
+/// The table holds similarity ^ (1 / power): for reciprocal flights similarity goes like (1 - color)^((1 + bleed) / 2)
+/// near white where bleed > 1, else like 1 - color. This goes smoothly from one to the other.
 inline double table_power(double bleed, shared::FlightLaw law) {
-    return law == shared::FLIGHT_RECIPROCAL ? 1 + bleed / 2 : 1;
+    return law == shared::FLIGHT_RECIPROCAL ? (1 + std::sqrt(1 + bleed * bleed)) / 2 : 1;
 }
 
 inline std::size_t table_index(shared::FlightLaw law, shared::Entry entry, int anisotropy, int bleed) {

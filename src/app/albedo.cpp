@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "patch/patch.h"
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace nacre::app {
@@ -21,13 +22,15 @@ struct Answer {
 
 Answer answer(const AlbedoOptions &options, const scene::Material &material) {
     Answer answer{};
+    std::map<double, albedo::HalfSpace> media; // by g: a second each
     for (std::size_t c = 0; c < 3; ++c) {
         const double g = material[PARAMETER_subsurface_scatter_anisotropy].value[Eigen::Index(c)];
         answer.color[c] = material[PARAMETER_subsurface_color].value[Eigen::Index(c)];
         answer.albedo[c] = albedo::albedo(
             material.inversion, answer.color[c],
             {.anisotropy = g, .bleed = options.bleed, .flight = material.flight, .entry = material.entry});
-        const albedo::HalfSpace medium(g, std::min(options.bleed, 4.0), material.flight);
+        const albedo::HalfSpace &medium =
+            media.try_emplace(g, g, std::min(options.bleed, 4.0), material.flight).first->second;
         answer.expected[c] =
             medium.color(std::sqrt((1 - answer.albedo[c]) / (1 - g * answer.albedo[c])), material.entry);
     }

@@ -11,7 +11,8 @@ struct FitError {
 };
 FitError fit_error(const albedo::MemoFit &fit);
 
-/// The memo's way: eq 6 for each g, of albedo, then eqs 7 and 8 through its parameters.
+/// The memo's way: eq 6 for each g, then eqs 7 and 8 through its parameters. Both in colour: the second stage weighs
+/// parameters by what they do to the colours of their g, and so keeps what one makes up for in another.
 albedo::MemoFit fit_in_two_stages(const Survey &survey, const albedo::MemoFit &start);
 
 /// All coefficients of eq 9 at once, least squares of colour.

@@ -1,6 +1,7 @@
 #include "patch/survey.h"
 #include "albedo/half_space.h"
 #include "base/error.h"
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -17,8 +18,8 @@ constexpr const char *title = "g,albedo,color,standard_error";
 
 double anisotropy_at(int i) { return largest_anisotropy * i / (anisotropies - 1); }
 
-/// From dark to bright; the brightest colour is above .98 at any g.
-double albedo_at(int j, double g) { return albedo::albedo_of(1 - (j + 0.75) / albedos, g); }
+/// From dark to bright; the brightest colour is above .95 at any g. Brighter ones take minutes a patch where g > .9.
+double albedo_at(int j, double g) { return albedo::albedo_of(std::lerp(0.98, 0.02, j / (albedos - 1.0)), g); }
 
 using Known = std::map<std::pair<int, int>, Survey::Point>; // by the indices of g and albedo
 

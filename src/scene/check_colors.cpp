@@ -3,6 +3,7 @@
 #include "albedo/table.h"
 #include <Imath/half.h>
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace nacre::scene {
@@ -24,17 +25,28 @@ double brightest(const Scene &scene, const Value &value) {
     return most;
 }
 
-/// Colours below 1 whose albedo is 1 as a float.
-std::vector<double> out_of_reach(const Material &material) {
-    std::vector<double> found;
+/// A colour, and what comes of it because kernels know its albedo as a float.
+struct Rounded {
+    double asked, shown;
+};
+
+/// Those that albedos next to 1 are too coarse for: off by more than the table is.
+std::vector<Rounded> rounded_colors(const Material &material) {
+    std::vector<Rounded> found;
     const Value &color = material[PARAMETER_subsurface_color];
+    const double bleed = material[PARAMETER_subsurface_bleed].value.x();
     for (int c = 0; c < 3 && color.texture < 0; ++c) {
         const albedo::Medium medium{.anisotropy = material[PARAMETER_subsurface_scatter_anisotropy].value[c],
-                                    .bleed = material[PARAMETER_subsurface_bleed].value.x(),
+                                    .bleed = bleed,
                                     .flight = material.flight,
                                     .entry = material.entry};
-        if (color.value[c] < 1 && float(albedo::albedo(material.inversion, color.value[c], medium)) == 1)
-            found.push_back(color.value[c]);
+        const double asked = color.value[c], exact = albedo::albedo(material.inversion, asked, medium);
+        if (asked >= 1) continue;
+        // Near white 1 - color goes like a power of 1 - albedo (albedo/half_space.h).
+        const double power = 1 / (1 + (material.flight == FLIGHT_RECIPROCAL ? std::max(1.0, bleed) : 1.0));
+        const double share = exact < 1 ? (1 - double(float(exact))) / (1 - exact) : 0;
+        const double shown = 1 - (1 - asked) * std::pow(share, power);
+        if (std::abs(shown - asked) > 2e-4) found.push_back({asked, shown});
     }
     return found;
 }
@@ -61,8 +73,9 @@ std::vector<std::string> check_colors(const Scene &scene, const Material &materi
                         albedo::largest_anisotropy));
     if (material[PARAMETER_subsurface_bleed].value.x() > albedo::largest_bleed)
         off(fmt::format("colours are exact for subsurface_bleed up to {}", albedo::largest_bleed));
-    for (const double color : out_of_reach(material))
-        off(fmt::format("a colour of {:.4g} takes an albedo that a float does not tell from 1", color));
+    for (const Rounded &color : rounded_colors(material))
+        off(fmt::format("a colour of {:.4g} takes an albedo nearer to 1 than a float tells, and shows as {:.4g}",
+                        color.asked, color.shown));
     return found;
 }
 

@@ -43,12 +43,13 @@ TEST(Check, NamesColorsOutOfReach) {
         "ball", "from -0.95 to 0.98");
     expect_finding(spoilt([](Scene &, Material &m) { m[shared::PARAMETER_subsurface_bleed].value.setConstant(5); }),
                    "ball", "bleed up to 4");
-    expect_finding(spoilt([](Scene &, Material &m) {
-                       m.flight = shared::FLIGHT_RECIPROCAL;
-                       m[shared::PARAMETER_subsurface_bleed].value.setConstant(4);
-                       m[shared::PARAMETER_subsurface_color].value = {.99, .5, .5};
-                   }),
-                   "ball", "a colour of 0.99");
+    for (const double color : {.95, .99}) // an albedo that is some float below 1, and one that is 1 as a float
+        expect_finding(spoilt([color](Scene &, Material &m) {
+                           m.flight = shared::FLIGHT_RECIPROCAL;
+                           m[shared::PARAMETER_subsurface_bleed].value.setConstant(4);
+                           m[shared::PARAMETER_subsurface_color].value = {color, .5, .5};
+                       }),
+                       "ball", fmt::format("a colour of {} takes an albedo nearer to 1 than a float tells", color));
     expect_finding(spoilt([](Scene &scene, Material &m) {
                        m[shared::PARAMETER_subsurface_color].texture = 0;
                        scene.textures.push_back({});
