@@ -24,8 +24,8 @@ struct MemoFit {
 /// Single-scattering albedo for the colour x in [0, 1] and g, as the fit has it: may be above 1.
 double memo_albedo(const MemoFit &fit, double x, double g);
 
-/// For walks without a cap on scatters, g in [0, .95]: the joint fit of `nacre albedo fit`, to colours of 1,600 rendered
-/// patches and white.
+/// For walks without a cap on scatters, g in [0, .95]: the joint fit of `nacre albedo fit`, to colours of 1,600
+/// rendered patches and white.
 extern const MemoFit uncapped_fit;
 
 /// As published with Blender Cycles by one of the memo's authors: for walks that end at 256 scatters.

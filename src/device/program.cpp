@@ -24,9 +24,9 @@ cl::Program compile(const Device &device, const std::string &source, const std::
     } catch (const cl::BuildError &error) {
         std::string log;
         for (const auto &[_, text] : error.getBuildLog()) log += text;
-        throw Error(
-            Exit::device, device.info.name,
-            fmt::format("{} failed with {} (options {}):\n{}", error.what(), error_name(error.err()), options, located(log, source)));
+        throw Error(Exit::device, device.info.name,
+                    fmt::format("{} failed with {} (options {}):\n{}", error.what(), error_name(error.err()), options,
+                                located(log, source)));
     }
     return program;
 }
