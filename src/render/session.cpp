@@ -21,6 +21,7 @@ double since(Clock::time_point start) { return std::chrono::duration<double>(Clo
 
 // A launch should take about this long: progress and Ctrl-C answer, watchdogs of GPUs do not bite.
 constexpr double launch_seconds = 0.1;
+constexpr double largest_growth = 16;         // of a launch over the one before
 constexpr std::uint32_t samples_at_once = 16; // of a pixel: neighbouring paths meet the same geometry
 constexpr std::uint32_t smallest_batch = 64, first_batch = 4096, largest_batch = 1 << 18;
 
@@ -119,13 +120,12 @@ struct Session::Impl {
             if (pixels > TILE * TILE) pixels -= pixels % (TILE * TILE);
             pixels = std::min(pixels, all - begin);
             try {
-                const Clock::time_point launched = Clock::now();
-                statistics.sampling += tracer->trace({begin, pixels, first, count, 0, 0, 0, 0});
+                const double seconds = tracer->trace({begin, pixels, first, count, 0, 0, 0, 0});
+                statistics.sampling += seconds;
+                adapt(seconds, pixels * count);
                 if (statistics.startup.first_pixel == 0) {
                     statistics.startup.first_pixel = since(start);
                     device::finish_compiling();
-                } else {
-                    adapt(since(launched), pixels * count);
                 }
                 return pixels;
             } catch (const cl::Error &error) {
@@ -135,9 +135,9 @@ struct Session::Impl {
         }
     }
 
-    /// Brings launches towards launch_seconds, at most doubling.
+    /// Brings launches towards launch_seconds.
     void adapt(double seconds, std::uint32_t paths) {
-        const double wanted = paths * std::clamp(launch_seconds / seconds, 0.25, 2.0);
+        const double wanted = paths * std::clamp(launch_seconds / seconds, 0.25, largest_growth);
         batch_size = std::uint32_t(std::clamp(wanted, double(smallest_batch), double(largest_batch)));
     }
 
@@ -174,14 +174,20 @@ struct Session::Impl {
         return !run.stopped();
     }
 
+    /// How many samples of every pixel come next. A first look soon, then more at once, for a small picture as many as
+    /// make a launch long: workers run dry at its end. Never across a block.
+    std::uint32_t samples_at(std::uint32_t sample, std::uint32_t spp) const {
+        const std::uint32_t in_block = sample % FILM_BLOCK;
+        const std::uint32_t look = sample == 0     ? 1
+                                   : in_block == 0 ? samples_at_once
+                                                   : std::min(in_block, samples_at_once);
+        return std::min({spp - sample, FILM_BLOCK - in_block, std::max(look, batch_size / film.pixels())});
+    }
+
     void render_evenly(std::uint32_t spp, Run &run) {
         run.progress.wanted = std::uint64_t(spp) * crop.width() * crop.height();
         for (std::uint32_t sample = 0; sample < spp && !run.ended;) {
-            // A first look soon, then more samples at once. Never across a block.
-            const std::uint32_t in_block = sample % FILM_BLOCK;
-            const std::uint32_t count =
-                std::min({spp - sample, FILM_BLOCK - in_block,
-                          in_block == 0 ? sample == 0 ? 1u : samples_at_once : in_block, samples_at_once});
+            const std::uint32_t count = samples_at(sample, spp);
             for (std::uint32_t pixel = 0; pixel < film.pixels() && !run.ended;) {
                 const std::uint32_t pixels = trace_some(pixel, film.pixels(), sample, count);
                 film.count_samples(pixel, pixels, count);
