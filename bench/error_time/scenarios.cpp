@@ -46,7 +46,7 @@ scene::Scene slab() {
 scene::Scene ball(double radius) {
     scene::Scene scene = body(scene::make_sphere({0, 0, 0}, 1, 256), radius);
     scene.lights.emplace_back().radiance = Vec3::Constant(.3);
-    scene.lights.push_back(rect({3, 3, 3}, {2, 0, -2}, {-1, 2, -1}, {6, 6, 6}));
+    scene.lights.push_back(rect({3, 3, 3}, {-1, 2, -1}, {2, 0, -2}, {6, 6, 6}));
     return scene;
 }
 
