@@ -2,6 +2,7 @@
 #include "exact/builtins.h"
 #include "film/accumulate.h"
 #include "guide/sides.h"
+#include "guide/thickness.h"
 #include "path/source.h"
 #if LANES == 1
 #include "path/single.h"
@@ -44,6 +45,16 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void light_points
     const Scene view = {SCENE_ARGUMENTS}, *scene = &view;
     const uint i = get_global_id(0);
     if (i < count) irradiance[i] = side_light(scene, i, points[2u * i].xyz, points[2u * i + 1u].xyz);
+}
+
+// Thickness of an object below each of its primitives. Each work-item takes one slot of its tree's blocks, from `first_block` on.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void object_thickness(
+    SCENE_PARAMETERS, uint object, uint first_block, uint count, global float *found) {
+    const uint i = get_global_id(0), block = first_block + i / BVH_WIDTH, slot = i % BVH_WIDTH;
+    if (i >= count) return;
+    const uint primitive = block_primitive(blocks, block, slot);
+    if (primitive != BVH_NO_PRIMITIVE)
+        found[primitive] = thickness_below(nodes, blocks, objects[object].walk_root, block, slot);
 }
 
 // Sizes of the shared structs as the device sees them; the host compares.

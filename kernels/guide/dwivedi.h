@@ -4,18 +4,6 @@
 
 #include "guide/guide.h"
 
-// Cosine towards the side, density 1 / (spread (nu - mu)): mu = nu - (nu + 1) exp(-xi spread), in a form that keeps its
-// digits for a large nu.
-real dwivedi_cosine(real inverse_nu, real spread, real xi) {
-    const real nu = 1.0f / inverse_nu, e = -xi * spread;
-    return max((real)(-1.0f), min(-nu * lane_expm1(e) - lane_exp(e), (real)(1.0f)));
-}
-
-// Per steradian.
-real dwivedi_pdf(const ModeLanes *mode, real mu) {
-    return mode->inverse_nu * (0.5f * INV_PI) / (mode->spread * (1.0f - mode->inverse_nu * mu));
-}
-
 Sides dwivedi_shares(real share, real far_strength) {
     Sides shares;
     shares.near = share / (1.0f + far_strength);
@@ -27,7 +15,7 @@ void dwivedi_flight(GuidedFlight *flight, real share, const ModeLanes *mode, Sid
                     mask entering) {
     flight->near = shares.near;
     flight->far = shares.far;
-    const real guided = fma(shares.near, dwivedi_pdf(mode, mu), shares.far * dwivedi_pdf(mode, -mu));
+    const real guided = fma(shares.near, isotropic_pdf(mode, mu), shares.far * isotropic_pdf(mode, -mu));
     flight->direction = pick(entering, (real)(1.0f), fma(guided, inverse_phase, 1.0f - share));
     flight->tilt = mu * mode->inverse_nu;
 }
@@ -44,13 +32,7 @@ void dwivedi_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 po
     guide->technique = guide_technique(guide, near, xi_length);
 
     const real3 from = *direction;
-    const real inverse_nu = channel_of(guide->x.inverse_nu, guide->y.inverse_nu, guide->z.inverse_nu, channel);
-    const real spread = channel_of(guide->x.spread, guide->y.spread, guide->z.spread, channel);
-    const real side = pick(technique == TECHNIQUE_FAR, (real)(-1.0f), (real)(1.0f));
-    const real cosine = side * dwivedi_cosine(inverse_nu, spread, numbers.cosine);
-    real s, c;
-    sincos_turns(numbers.azimuth, &s, &c);
-    const real3 guided = turn(guide->outward, sqrt(max(fma(-cosine, cosine, (real)(1.0f)), (real)(0.0f))), cosine, s, c);
+    const real3 guided = isotropic_towards(guide, technique, channel, numbers);
     const real3 classical = phase_sample(scene, channel_of(g.x, g.y, g.z, channel), numbers.cosine, numbers.azimuth, from);
     *direction = pick3(entering, from, pick3(technique == TECHNIQUE_CLASSICAL, classical, guided));
 

@@ -4,24 +4,51 @@
 
 #include "guide/guide.h"
 
+// In a turn a walk tries so often to find a direction before it waits for the next, while other lanes compute along.
+#ifndef EIGEN_TRIES
+#define EIGEN_TRIES 2u
+#endif
+
 typedef struct {
     Sides x, y, z;
 } ChannelSides;
 
-// phi of each channel at a cosine; `scattered`: its mean after a scatter from there.
-ChannelSides eigen_phi(const GuideLanes *guide, const Legendre *at) {
+// Over the density of the phase function where that is isotropic.
+Sides isotropic_sides(const ModeLanes *mode, real mu) {
+    Sides sides;
+    sides.near = 4.0f * PI * isotropic_pdf(mode, mu);
+    sides.far = 4.0f * PI * isotropic_pdf(mode, -mu);
+    return sides;
+}
+
+// phi of each channel at a cosine.
+ChannelSides eigen_phi(const Scene *scene, const GuideLanes *guide, real mu) {
     ChannelSides phi;
-    phi.x = mode_sides(guide->x.phi, at);
-    phi.y = mode_sides(guide->y.phi, at);
-    phi.z = mode_sides(guide->z.phi, at);
+    if (!HAS(ANISOTROPY)) {
+        phi.x = isotropic_sides(&guide->x, mu);
+        phi.y = isotropic_sides(&guide->y, mu);
+        phi.z = isotropic_sides(&guide->z, mu);
+        return phi;
+    }
+    const Legendre at = legendre_at(mu);
+    phi.x = mode_sides(guide->x.phi, &at);
+    phi.y = mode_sides(guide->y.phi, &at);
+    phi.z = mode_sides(guide->z.phi, &at);
     return phi;
 }
 
-ChannelSides eigen_scattered(const GuideLanes *guide, const Legendre *at) {
+// The mean of phi after a scatter from there.
+ChannelSides eigen_scattered(const Scene *scene, const GuideLanes *guide, real mu) {
     ChannelSides mean;
-    mean.x = mode_sides(guide->x.scattered, at);
-    mean.y = mode_sides(guide->y.scattered, at);
-    mean.z = mode_sides(guide->z.scattered, at);
+    if (!HAS(ANISOTROPY)) {
+        mean.x.near = mean.x.far = (real)(1.0f);
+        mean.y = mean.z = mean.x;
+        return mean;
+    }
+    const Legendre at = legendre_at(mu);
+    mean.x = mode_sides(guide->x.scattered, &at);
+    mean.y = mode_sides(guide->y.scattered, &at);
+    mean.z = mode_sides(guide->z.scattered, &at);
     return mean;
 }
 
@@ -40,24 +67,40 @@ ChannelSides pick_channel_sides(mask m, ChannelSides a, ChannelSides b) {
     return r;
 }
 
-// Turns `direction` by the technique that was chosen: a direction of the phase function is kept with the probability phi /
-// peak. Those `entering` keep the one they have. Returns the lanes of `active` whose direction was refused. phi: at the new
-// direction.
-uint eigen_turn(const Scene *scene, GuideLanes *guide, whole channel, real g, mask entering, LaneSampler sampler, uint active,
-                real3 *direction, ChannelSides *phi) {
+// Turns the direction `from` of the lanes `turning` by the technique that was chosen; phi: at each lane's new direction, or at the
+// one that it keeps. Returns the lanes whose direction was refused: one of the phase function is kept with the
+// probability phi / peak. Isotropic scattering refuses none.
+mask eigen_try(const Scene *scene, GuideLanes *guide, whole channel, real g, mask turning, LaneSampler sampler, real3 from,
+               real3 *direction, ChannelSides *phi) {
     const Natural4 words = lane_draw(sampler, DRAW_WALK_TRY, guide->tries);
-    const real3 from = *direction;
-    const real3 tried = pick3(entering, from, phase_sample(scene, g, lane_unit(words.x), lane_unit(words.y), from));
-    const Legendre at = legendre_at(dot3(guide->outward, tried));
-    *phi = eigen_phi(guide, &at);
+    DirectionNumbers numbers;
+    numbers.cosine = lane_unit(words.x);
+    numbers.azimuth = lane_unit(words.y);
+    const mask classical = guide->technique == TECHNIQUE_CLASSICAL;
+    real3 tried = phase_sample(scene, g, numbers.cosine, numbers.azimuth, from);
+    if (!HAS(ANISOTROPY)) tried = pick3(classical, tried, isotropic_towards(guide, guide->technique, channel, numbers));
+    *direction = pick3(turning, tried, *direction);
+    guide->tries += pick(turning, (natural)(1u), (natural)(0u));
+    *phi = eigen_phi(scene, guide, dot3(guide->outward, *direction));
+    if (!HAS(ANISOTROPY)) return (mask)(0);
     const real near = channel_of(phi->x.near, phi->y.near, phi->z.near, channel);
     const real far = channel_of(phi->x.far, phi->y.far, phi->z.far, channel);
     const real peak = channel_of(guide->x.peak, guide->y.peak, guide->z.peak, channel);
-    const mask kept = entering | (guide->technique == TECHNIQUE_CLASSICAL) |
-                      (lane_unit(words.z) * peak < pick(guide->technique == TECHNIQUE_FAR, far, near));
-    *direction = pick3(kept, tried, from);
-    guide->tries += (natural)(1u);
-    return active & ~bits(kept);
+    const mask refused = lane_unit(words.z) * peak >= pick(guide->technique == TECHNIQUE_FAR, far, near);
+    return turning & (classical == 0) & refused;
+}
+
+// Tries so often in one turn. Returns the lanes of `active` that have got no direction; they keep theirs.
+uint eigen_turn(const Scene *scene, GuideLanes *guide, whole channel, real g, mask entering, LaneSampler sampler, uint active,
+                real3 *direction, ChannelSides *phi) {
+    const real3 from = *direction;
+    mask turning = entering == 0;
+    for (uint i = 0u; i < EIGEN_TRIES; i++) {
+        turning = eigen_try(scene, guide, channel, g, turning, sampler, from, direction, phi);
+        if ((bits(turning) & active) == 0u) break;
+    }
+    *direction = pick3(turning, from, *direction);
+    return bits(turning) & active;
 }
 
 // Share per promise of a channel: the sides' shares are their promises, the far one's times `far_strength`, times this.
@@ -77,9 +120,9 @@ void eigen_flight(GuidedFlight *flight, const ModeLanes *mode, real mu, Sides ph
 uint eigen_direct(const Scene *scene, GuideLanes *guide, real3 sigma, real3 position, Flight flight, whole channel, real g,
                   mask entering, real xi_technique, LaneSampler sampler, uint active, real3 *direction) {
     // What the sides promise: a scatter from the direction so far, or to those who enter a flight in it.
-    const Legendre from = legendre_at(dot3(guide->outward, *direction));
-    ChannelSides promise = eigen_scattered(guide, &from);
-    if ((bits(entering) & active) != 0u) promise = pick_channel_sides(entering, eigen_phi(guide, &from), promise);
+    const real before = dot3(guide->outward, *direction);
+    ChannelSides promise = eigen_scattered(scene, guide, before);
+    if ((bits(entering) & active) != 0u) promise = pick_channel_sides(entering, eigen_phi(scene, guide, before), promise);
     const real3 far = guide_far_strength(scene, guide, sigma, position, flight);
     const real scale_x = eigen_scale(guide->share, promise.x, far.x), scale_y = eigen_scale(guide->share, promise.y, far.y),
                scale_z = eigen_scale(guide->share, promise.z, far.z);

@@ -18,10 +18,6 @@
 
 #define GUIDED (HAS(GUIDE_EIGEN) || HAS(GUIDE_DWIVEDI))
 
-// The probe's ray begins beyond the surface that it starts from; an object that it finds no end of is this thick.
-#define GUIDE_PROBE_START 1e-5f
-#define GUIDE_THICK 1e9f
-
 // E-folds by which a side may be weaker than the other before it is none: 2e-9.
 #define GUIDE_LEAST_FOLDS -20.0f
 
@@ -39,7 +35,7 @@ typedef struct {
 typedef struct {
     real3 outward; // unit normal of the near side
     real offset;   // of its plane: a point's depth is offset - dot(outward, point)
-    real thickness;
+    real thickness; // of the object below the triangle of the entry
     real share;     // of the guided techniques
     real far_light; // light on the far side over that on the near side
     ModeLanes x, y, z;
@@ -93,6 +89,17 @@ real guide_rate(whole technique, real tilt) {
 whole guide_technique(const GuideLanes *guide, real near, real xi) {
     return pick(xi < near, (whole)(TECHNIQUE_NEAR),
                 pick(xi < guide->share, (whole)(TECHNIQUE_FAR), (whole)(TECHNIQUE_CLASSICAL)));
+}
+
+// A direction towards a technique's side by the mode of an isotropic medium, density isotropic_pdf.
+real3 isotropic_towards(const GuideLanes *guide, whole technique, whole channel, DirectionNumbers numbers) {
+    const real inverse_nu = channel_of(guide->x.inverse_nu, guide->y.inverse_nu, guide->z.inverse_nu, channel);
+    const real spread = channel_of(guide->x.spread, guide->y.spread, guide->z.spread, channel);
+    const real side = pick(technique == TECHNIQUE_FAR, (real)(-1.0f), (real)(1.0f));
+    const real cosine = side * isotropic_cosine(inverse_nu, spread, numbers.cosine);
+    real s, c;
+    sincos_turns(numbers.azimuth, &s, &c);
+    return turn(guide->outward, sqrt(max(fma(-cosine, cosine, (real)(1.0f)), (real)(0.0f))), cosine, s, c);
 }
 
 // Density of one channel's flight after an optical depth tau, over all techniques, per unit of tau. `classical` is

@@ -2,7 +2,7 @@
 #ifndef NACRE_GUIDE_LOAD_H
 #define NACRE_GUIDE_LOAD_H
 
-#include "geometry/ray.h"
+#include "geometry/surface.h"
 #include "guide/guide.h"
 
 // The nearest of the material's modes for each channel, counted from its first: never one between two, whose phi and nu would
@@ -59,26 +59,12 @@ float guide_far_light(global const LightSides *sides, float3 outward) {
     return clamp(far / near, GUIDE_LEAST_LIGHT, 1.0f / GUIDE_LEAST_LIGHT);
 }
 
-// The slab that a walk begins in, but for its thickness, which a ray has to find: light comes in at `position` through a
-// surface with the unit normal `outward`.
-void guide_begin(const Scene *scene, Path *path, float3 position, float3 outward) {
-    path->outward = (float4)(outward, dot(outward, position));
-    path->thickness = GUIDE_THICK;
+// The slab that a walk begins in, from below `surface`.
+void guide_begin(const Scene *scene, Path *path, const Surface *surface) {
+    path->outward = (float4)(surface->geometric, dot(surface->geometric, surface->position));
+    path->thickness = scene->thickness[surface->primitive];
     path->tries = 0u;
-    path->far_light = guide_far_light(scene->sides + path->object, outward);
-}
-
-// The ray that finds the thickness: from the entry straight down, as far as the far side may matter.
-Ray guide_probe(const Path *path) {
-    const float3 albedo = path->albedo.xyz, g = path->anisotropy.xyz;
-    // Light falls by one e-fold over no more than a mean free path more than in diffusion.
-    const float3 fold = (1.0f + rsqrt(3.0f * max((1.0f - albedo) * (1.0f - albedo * g), 1e-12f))) / path->sigma.xyz;
-    Ray ray;
-    ray.origin = path->position.xyz;
-    ray.direction = -path->outward.xyz;
-    ray.t_min = GUIDE_PROBE_START;
-    ray.t_max = path->bleed > 0.0f ? MAXFLOAT : -GUIDE_LEAST_FOLDS * fmax(fold.x, fmax(fold.y, fold.z));
-    return ray;
+    path->far_light = guide_far_light(scene->sides + path->object, surface->geometric);
 }
 
 #endif

@@ -1,8 +1,9 @@
-// phi of a medium's slowest mode (shared/guide.h) over lanes, and its mean over the directions after a scatter.
+// phi of a medium's slowest mode (shared/guide.h) over lanes, and its mean over the directions after a scatter. Where scattering is
+// isotropic phi is 1 / (nu - mu) itself, of which a direction can be drawn at once.
 #ifndef NACRE_GUIDE_MODE_H
 #define NACRE_GUIDE_MODE_H
 
-#include "lanes/lanes.h"
+#include "lanes/math.h"
 #include "shared/guide.h"
 
 #pragma OPENCL FP_CONTRACT OFF
@@ -45,6 +46,18 @@ Sides mode_sides(const real *factors, const Legendre *p) {
     sides.near = even + odd;
     sides.far = even - odd;
     return sides;
+}
+
+// Cosine towards the side, density 1 / (spread (nu - mu)): mu = nu - (nu + 1) exp(-xi spread), in a form that keeps its
+// digits for a large nu.
+real isotropic_cosine(real inverse_nu, real spread, real xi) {
+    const real nu = 1.0f / inverse_nu, e = -xi * spread;
+    return max((real)(-1.0f), min(-nu * lane_expm1(e) - lane_exp(e), (real)(1.0f)));
+}
+
+// Of that cosine, per steradian.
+real isotropic_pdf(const ModeLanes *mode, real mu) {
+    return mode->inverse_nu * (0.5f * INV_PI) / (mode->spread * (1.0f - mode->inverse_nu * mu));
 }
 
 #endif

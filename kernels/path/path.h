@@ -221,21 +221,4 @@ Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global
     return shadow;
 }
 
-// The ray that a path waits for, and the tree it goes through: its next one, or the probe of its walk.
-Ray next_ray(const Scene *scene, const Path *path) {
-    return GUIDED && path->state == PATH_THICKNESS ? guide_probe(path) : path_ray(path->position.xyz, path->direction.xyz);
-}
-
-uint ray_root(const Scene *scene, const Path *path) {
-    return GUIDED && path->state == PATH_THICKNESS ? scene->objects[path->object].walk_root : scene->frame->bvh_root;
-}
-
-Shadow next_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
-    if (!GUIDED || path->state != PATH_THICKNESS) return path_meet(scene, path, hit, counts, layers);
-    counts->value[COUNTER_rays] += 1u;
-    counts->value[COUNTER_probe_rays] += 1u;
-    path_probed(path, hit);
-    return no_shadow();
-}
-
 #endif

@@ -35,10 +35,10 @@ Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts,
 void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts, global float4 *layers) {
     while (path->state != PATH_DONE && budget > 0u) {
         Shadow shadow;
-        if (path->state == PATH_RAY || path->state == PATH_THICKNESS) {
-            const Hit hit = trace_closest(next_ray(scene, path), scene->nodes, scene->blocks,
-                                          ray_root(scene, path) AND_PROFILED(counts->profile + PROFILE_ray_nodes));
-            shadow = next_meet(scene, path, hit, counts, layers);
+        if (path->state == PATH_RAY) {
+            const Hit hit = trace_closest(path_ray(path->position.xyz, path->direction.xyz), scene->nodes, scene->blocks,
+                                          scene->frame->bvh_root AND_PROFILED(counts->profile + PROFILE_ray_nodes));
+            shadow = path_meet(scene, path, hit, counts, layers);
             budget -= min(budget, PATH_RAY_COST);
         } else if (HAS(DIFFUSION_MODEL) && path->state == PATH_PROBE) {
             shadow = diffusion_leave(scene, path, counts);

@@ -9,12 +9,10 @@
 #include "walk/medium.h"
 #include "walk/turn.h"
 
-// The path is to walk, from `position` below a surface with the unit normal `outward`.
-void path_below(const Scene *scene, Path *path, float3 position, float3 outward) {
+// The path is to walk, from below `surface`.
+void path_below(const Scene *scene, Path *path, const Surface *surface) {
     path->state = PATH_WALK;
-    if (!GUIDED || !(scene->objects[path->object].guided > 0.0f)) return;
-    guide_begin(scene, path, position, outward);
-    path->state = PATH_THICKNESS;
+    if (GUIDED && scene->objects[path->object].guided > 0.0f) guide_begin(scene, path, surface);
 }
 
 // Sends the path into the medium below `surface`, on the inner side of its geometric normal. Where a ray met the back of an
@@ -35,7 +33,7 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     path->first_number = first.y;
     path->depth = 1u;
     path->steps = 0u;
-    path_below(scene, path, surface->position, surface->geometric);
+    path_below(scene, path, surface);
     // The walk takes the colour of the path along; a black path (its roulette will end it) has none.
     const float heaviest = largest3(path->throughput.xyz);
     float3 color = (float3)(1.0f);
@@ -48,12 +46,6 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
     path->share.xyz = start.share;
     path->channel = start.channel;
     counts->value[COUNTER_walks] += 1u;
-}
-
-// What the probe of a guided walk has met; now it may walk.
-void path_probed(Path *path, Hit hit) {
-    path->thickness = hit.block == BVH_NO_PRIMITIVE ? GUIDE_THICK : hit.t;
-    path->state = PATH_WALK;
 }
 
 // Out at `position`: lit there with Lambert's response about `shading`, without surface colour.
@@ -146,7 +138,7 @@ Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *st
         const Ray ray = stream_ray(stream, w);
         const Surface surface = surface_at(scene, ray, stream_hit(stream, scene->blocks, w));
         if (HAS(INTERFACE) && interface_holds(scene, &surface, ray.direction, path)) {
-            path_below(scene, path, surface.position, surface.geometric);
+            path_below(scene, path, &surface);
             return no_shadow();
         }
         position = surface.position;

@@ -52,7 +52,7 @@ void worker_ask_light(const Scene *scene, Worker *worker, uint at, const Shadow 
 // Puts a path where its state says.
 void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint at, Counts *counts) {
     const uint state = worker->pool[at].state;
-    if (state == PATH_RAY || state == PATH_THICKNESS) {
+    if (state == PATH_RAY) {
         worker->rays[worker->ray_count++] = (ushort)at;
     } else if (state == PATH_WALK) {
         worker->walks[worker->walk_count++] = (ushort)at;
@@ -93,14 +93,14 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
         const uint part = min((uint)STREAM_RAYS, count - first);
         for (uint i = 0; i < part; i++) {
             const Path path = worker->pool[worker->rays[first + i]];
-            stream_put(&worker->stream, i, next_ray(scene, &path), ray_root(scene, &path));
+            stream_put(&worker->stream, i, path_ray(path.position.xyz, path.direction.xyz), scene->frame->bvh_root);
         }
         trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks,
                      false AND_PROFILED(counts->profile + PROFILE_ray_nodes));
         for (uint i = 0; i < part; i++) {
             const uint at = worker->rays[first + i];
             Path path = worker->pool[at];
-            const Shadow shadow = next_meet(scene, &path, stream_hit(&worker->stream, scene->blocks, i), counts,
+            const Shadow shadow = path_meet(scene, &path, stream_hit(&worker->stream, scene->blocks, i), counts,
                                             launch_layers(scene, launch, path.slot));
             worker->pool[at] = path;
             worker_ask_light(scene, worker, at, &shadow, counts);

@@ -7,7 +7,6 @@
 #define COUNTER_LIST(X)                                                                                                \
     X(paths)                                                                                                           \
     X(rays)          /* closest-hit rays outside of walks */                                                           \
-    X(probe_rays)    /* of these, thicknesses for guided walks */                                                      \
     X(shadow_rays)                                                                                                     \
     X(walk_rays)     /* segments of flights that were traced */                                                        \
     X(walks)                                                                                                           \

@@ -43,6 +43,10 @@ struct LightSides {
 
 SHARED_END
 
+// Rays that measure an object begin so far off its surface; one whose far side they do not find is this thick.
+#define GUIDE_PROBE_START 1e-5f
+#define GUIDE_THICK 1e9f
+
 // A side is never taken to have less than this of the other one's light: the estimate is a coarse one.
 #define GUIDE_LEAST_LIGHT 0.05f
 

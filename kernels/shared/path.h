@@ -6,8 +6,8 @@
 
 SHARED_BEGIN
 
-// thickness: about to walk, once that of its object is known; probe: below a surface with a diffusion model.
-enum PathState { PATH_RAY, PATH_THICKNESS, PATH_WALK, PATH_PROBE, PATH_DONE };
+// probe: below a surface with a diffusion model.
+enum PathState { PATH_RAY, PATH_WALK, PATH_PROBE, PATH_DONE };
 
 struct Path {
     float4 position;   // start of the next ray or flight

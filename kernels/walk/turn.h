@@ -88,7 +88,7 @@ uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
     numbers.cosine = lane_unit(lanes->words.y);
     numbers.azimuth = lane_unit(lanes->words.z);
     real xi_technique = numbers.cosine, xi_length = numbers.cosine;
-    if (walk_chooses(scene) || GUIDED) {
+    if (walk_chooses(scene) || HAS(GUIDE_DWIVEDI)) {
         const Natural4 choice = lane_draw(lanes->sampler, DRAW_WALK_CHOICE, walk->steps);
         if (walk_chooses(scene)) walk_choose(scene, walk, lane_unit(choice.x));
         xi_technique = lane_unit(choice.y);

@@ -49,6 +49,15 @@ double Recorder::launched(const cl::Kernel &kernel, const cl::Event &event, Cloc
     return seconds;
 }
 
+double Recorder::run(const Device &device, const cl::Kernel &kernel, std::size_t items) {
+    const std::size_t group = std::size_t(device.quirks.work_group), global = (items + group - 1) / group * group;
+    const auto enqueued = Clock::now();
+    cl::Event event;
+    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(group), nullptr, &event);
+    event.wait();
+    return launched(kernel, event, enqueued);
+}
+
 cl::Event *Recorder::copy(const char *name) {
     if (!timeline) return nullptr;
     return &copies.emplace_back(Copy{name, Clock::now(), {}}).event;

@@ -1,6 +1,6 @@
 #pragma once
 #include "base/timeline.h"
-#include "device/opencl.h"
+#include "device/context.h"
 #include <cstdint>
 #include <deque>
 #include <string>
@@ -23,9 +23,9 @@ class Recorder {
         double code_generation = 0; // the first launch's seconds that it did not run: PoCL makes machine code there
     };
 
-    /// Notes a launch whose event has ended and that the host began to enqueue at `enqueued`. Returns the seconds it
-    /// ran.
-    double launched(const cl::Kernel &kernel, const cl::Event &event, Clock::time_point enqueued);
+    /// Launches a kernel with all its arguments for `items` work-items, rounded up to the device's work-groups, and waits
+    /// for it. Returns the seconds it ran.
+    double run(const Device &device, const cl::Kernel &kernel, std::size_t items);
 
     /// Where the copy that is enqueued next shall put its event: null, which is "no event" to OpenCL, if there is no
     /// timeline.
@@ -51,6 +51,7 @@ class Recorder {
     // end somewhat later than it was: the least is the best.
     Clock::duration offset = Clock::duration::max();
 
+    double launched(const cl::Kernel &kernel, const cl::Event &event, Clock::time_point enqueued);
     Clock::time_point draw(const std::string &name, const cl::Event &event, Clock::time_point enqueued);
 };
 

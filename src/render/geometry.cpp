@@ -29,6 +29,10 @@ void append_vertices(const scene::Mesh &mesh, std::uint32_t features, Geometry &
     }
 }
 
+std::uint32_t blocks_of(const accel::Bvh &bvh) {
+    return std::uint32_t(bvh.blocks.size() / std::size_t(BVH_BLOCK_ROWS * bvh.width));
+}
+
 } // namespace
 
 Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, std::uint32_t features, int bvh_width) {
@@ -43,15 +47,21 @@ Geometry build_geometry(const scene::Scene &scene, const scene::Frame &frame, st
         const scene::Mesh &mesh = source.mesh;
         const std::span<const accel::Triangle> own(triangles.data() + first_primitive, mesh.triangles.size());
         Object object{};
+        Blocks walk_blocks{};
         object.material = source.material;
         object.first_light = NO_LIGHT;
         object.first_primitive = first_primitive;
         object.walk_root = geometry.root;
         if (scene::scatters_below(scene.materials[source.material])) {
             object.closed = scene::is_closed(mesh);
-            if (scene.objects.size() > 1) object.walk_root = accel::append_tree(geometry.bvh, own, first_primitive);
+            if (scene.objects.size() > 1) {
+                walk_blocks.first = blocks_of(geometry.bvh);
+                object.walk_root = accel::append_tree(geometry.bvh, own, first_primitive);
+            }
+            walk_blocks.count = blocks_of(geometry.bvh) - walk_blocks.first;
         }
         geometry.objects.push_back(object);
+        geometry.walk_blocks.push_back(walk_blocks);
         if (features & (FEATURE_SMOOTH | FEATURE_TEXTURES))
             for (const auto &corner : mesh.triangles)
                 for (const std::uint32_t vertex : corner) geometry.triangles.push_back(first_vertex + vertex);

@@ -8,12 +8,18 @@
 
 namespace nacre::render {
 
+/// Leaf blocks of a tree.
+struct Blocks {
+    std::uint32_t first = 0, count = 0;
+};
+
 /// The objects of a scene as kernels read them; primitives are counted from object to object.
 struct Geometry {
     accel::Bvh bvh;
     std::uint32_t root = 0;             // of the tree over everything
     std::vector<accel::Triangle> world; // by primitive, on the host only
     std::vector<shared::Object> objects;
+    std::vector<Blocks> walk_blocks; // of the tree of each object with subsurface scattering
     std::vector<shared::uint> triangles; // 3 vertices per primitive, where they have normals or uvs
     std::vector<float> normals;          // 3 per vertex, where the features have SMOOTH; 0: use the geometric one
     std::vector<float> uvs;              // 2 per vertex, where they have TEXTURES

@@ -137,7 +137,8 @@ bool choose_guided(const scene::Scene &scene, Geometry &geometry) {
     return some;
 }
 
-void add_guides(const scene::Scene &scene, std::vector<Material> &materials, std::vector<GuideMode> &modes) {
+void add_guides(const scene::Scene &scene, bool isotropic, std::vector<Material> &materials,
+                std::vector<GuideMode> &modes) {
     if (scene.render.guiding == GUIDING_NONE) return;
     Tables tables(modes);
     for (std::size_t i = 0; i < materials.size(); ++i) {
@@ -148,7 +149,7 @@ void add_guides(const scene::Scene &scene, std::vector<Material> &materials, std
         material.guide_anisotropies = g.texture < 0 ? 1 : 2 * GUIDE_ANISOTROPIES + 1;
         for (int c = 0; c < 3; ++c) material.guide_first[c] = g.texture < 0 ? tables.of(g.value[c]) : tables.of_any();
     }
-    tables.fill(scene.render.guiding == GUIDING_DWIVEDI);
+    tables.fill(isotropic || scene.render.guiding == GUIDING_DWIVEDI);
 }
 
 } // namespace nacre::render

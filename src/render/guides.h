@@ -4,8 +4,8 @@
 namespace nacre::render {
 
 /// Appends the modes that guide walks through the scene's materials and tells each where its own are. `materials` are
-/// those of the scene, in its order. Nothing where the scene has no guiding.
-void add_guides(const scene::Scene &scene, std::vector<shared::Material> &materials,
+/// those of the scene, in its order. Nothing where the scene has no guiding. `isotropic`: none of it scatters otherwise.
+void add_guides(const scene::Scene &scene, bool isotropic, std::vector<shared::Material> &materials,
                 std::vector<shared::GuideMode> &modes);
 
 /// Says of each object whether its walks are guided: those of some size against their mean free paths, whose surface is

@@ -43,12 +43,7 @@ void check_layout(const device::Device &device, const device::Program &program, 
     cl::Kernel kernel(program.program, "layout");
     const cl::Buffer buffer(device.context, CL_MEM_WRITE_ONLY, sizes.size() * sizeof(uint));
     kernel.setArg(0, buffer);
-    const cl::NDRange one(std::size_t(device.quirks.work_group));
-    const auto enqueued = device::Recorder::Clock::now();
-    cl::Event event;
-    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, one, one, nullptr, &event);
-    event.wait();
-    recorder.launched(kernel, event, enqueued);
+    recorder.run(device, kernel, 1);
     std::array<uint, sizes.size()> found{};
     device.queue.enqueueReadBuffer(buffer, true, 0, sizeof found, found.data());
     for (std::size_t i = 0; i < sizes.size(); ++i)

@@ -57,12 +57,7 @@ void measure_light_sides(const device::Device &device, const device::Program &pr
     kernel.setArg(argument++, points);
     kernel.setArg(argument++, count);
     kernel.setArg(argument++, light);
-    const std::size_t group = std::size_t(device.quirks.work_group), items = (count + group - 1) / group * group;
-    const auto enqueued = device::Recorder::Clock::now();
-    cl::Event event;
-    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group), nullptr, &event);
-    event.wait();
-    recorder.launched(kernel, event, enqueued);
+    recorder.run(device, kernel, count);
     std::vector<float> irradiance(count);
     device.queue.enqueueReadBuffer(light, true, 0, count * sizeof(float), irradiance.data());
 
@@ -84,7 +79,7 @@ void measure_light_sides(const device::Device &device, const device::Program &pr
     std::vector<LightSides> found;
     for (const std::array<Side, 6> &s : sides)
         found.push_back({{s[0].mean(), s[1].mean(), s[2].mean(), 0}, {s[3].mean(), s[4].mean(), s[5].mean(), 0}});
-    device.queue.enqueueWriteBuffer(scene.sides(), true, 0, found.size() * sizeof(LightSides), found.data());
+    device.queue.enqueueWriteBuffer(scene.sides().buffer, true, 0, found.size() * sizeof(LightSides), found.data());
 }
 
 } // namespace nacre::render

@@ -6,6 +6,7 @@
 #include "render/allocation.h"
 #include "render/layout.h"
 #include "render/light_sides.h"
+#include "render/thickness.h"
 #include "render/tracer.h"
 #include "scene/features.h"
 #include <algorithm>
@@ -100,6 +101,7 @@ struct Session::Impl {
         // that was.
         check_layout(device, program, recorder);
         measure_light_sides(device, program, scene, recorder);
+        measure_thickness(device, program, scene, recorder);
         statistics.startup = scene.startup;
         statistics.startup.compile = program.seconds;
         statistics.profiled = options.profile;

@@ -65,15 +65,6 @@ void Tracer::list_tiles(const std::vector<uint> &tiles) {
                                     recorder.copy("list tiles"));
 }
 
-double Tracer::launch(cl::Kernel &kernel, std::size_t items) {
-    const std::size_t group = std::size_t(device.quirks.work_group), global = (items + group - 1) / group * group;
-    const auto enqueued = device::Recorder::Clock::now();
-    cl::Event event;
-    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(group), nullptr, &event);
-    event.wait();
-    return recorder.launched(kernel, event, enqueued);
-}
-
 double Tracer::trace(Batch batch) {
     batch.resumed = 0;
     batch.capacity = suspended_capacity;
@@ -88,7 +79,7 @@ double Tracer::trace(Batch batch) {
         trace_kernel.setArg(scene_arguments, batch);
         trace_kernel.setArg(scene_arguments + 3, paths[turn]);
         trace_kernel.setArg(scene_arguments + 4, paths[turn ^ 1]);
-        seconds += launch(trace_kernel, workers > 0 ? workers : items);
+        seconds += recorder.run(device, trace_kernel, workers > 0 ? workers : items);
         device.queue.enqueueReadBuffer(counters, true, 0, counter_bytes, counted.data(), nullptr,
                                        recorder.copy("read counters"));
         batch.resumed = std::min(counted[COUNTER_SUSPENDED], suspended_capacity);
@@ -96,7 +87,7 @@ double Tracer::trace(Batch batch) {
     }
     batch.resumed = 0;
     accumulate_kernel.setArg(scene_arguments, batch);
-    return seconds + launch(accumulate_kernel, batch.pixel_count);
+    return seconds + recorder.run(device, accumulate_kernel, batch.pixel_count);
 }
 
 std::vector<float4> Tracer::take_film(std::uint32_t pixels) {

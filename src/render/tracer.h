@@ -46,7 +46,6 @@ class Tracer {
     cl::Buffer paths[2];               // suspended, resumed; they take turns
     std::vector<shared::uint> counted; // the counters between launches
 
-    double launch(cl::Kernel &kernel, std::size_t items);
     void clear_film(std::size_t bytes);
 };
 

@@ -142,7 +142,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     std::vector<Material> materials;
     for (const scene::Material &material : scene.materials) materials.push_back(to_device(material, units));
     std::vector<GuideMode> modes;
-    if (guided) add_guides(scene, materials, modes);
+    if (guided) add_guides(scene, !(features & FEATURE_ANISOTROPY), materials, modes);
     std::vector<float> similarities;
     add_albedos(scene, materials, similarities);
     std::vector<Texture> textures;
@@ -168,9 +168,11 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("guide", modes);
     uploader.add("similarities", similarities);
     constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
-    uploader.add("light_sides",
-                 std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike)); // last: sides()
+    uploader.add("light_sides", std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike));
+    uploader.add("thickness", std::vector<float>(modes.empty() ? 0 : geometry.world.size(), GUIDE_THICK));
     if (guided) out.light_points = light_points(scene, geometry);
+    for (std::size_t i = 0; i < geometry.objects.size(); ++i)
+        if (geometry.objects[i].guided > 0) out.guided.push_back({uint(i), geometry.walk_blocks[i]});
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();
     return out;

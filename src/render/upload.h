@@ -33,8 +33,16 @@ struct DeviceScene {
     std::uint32_t bvh_stack = 0;
     Startup startup;                          // what of it was spent here
     std::vector<shared::float4> light_points; // for measure_light_sides: positions and normals in turns
+    /// For measure_thickness.
+    struct Guided {
+        shared::uint object;
+        Blocks blocks;
+    };
+    std::vector<Guided> guided;
 
-    cl::Buffer sides() const { return buffers.back().buffer; }
+    /// What is measured on the device.
+    const Entry &sides() const { return buffers[buffers.size() - 2]; }
+    const Entry &thickness() const { return buffers.back(); }
 
     /// Sets the scene's arguments of a kernel; returns the index of the next one.
     cl_uint bind(cl::Kernel &kernel) const;

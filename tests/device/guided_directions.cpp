@@ -71,11 +71,11 @@ double legendre_sum(const GuideMode &mode, double mu, double g) {
 
 /// physics.md section 6, in double: density of a direction with the cosine mu towards the near side, over the phase
 /// function.
-double density(const Scatter &scatter, const GuideMode &mode, Guiding guiding, double mu) {
+double density(const Scatter &scatter, const GuideMode &mode, double mu) {
     const double inverse_nu = double(mode.inverse_nu),
                  folds = double(2 * scatter.depth - scatter.thickness) * inverse_nu;
     const double far = folds > -20 ? double(scatter.far_light) * std::exp(std::min(folds, 20.)) : 0;
-    if (guiding == GUIDING_DWIVEDI) { // the phase function is 1 / (4 pi)
+    if (scatter.g == 0) { // the phase function is 1 / (4 pi), phi is 1 / (nu - mu): both schemes turn alike
         const double near_pdf = 2 * inverse_nu / (double(mode.spread) * (1 - mu * inverse_nu));
         const double far_pdf = 2 * inverse_nu / (double(mode.spread) * (1 + mu * inverse_nu));
         return 1 - guide_share + guide_share * (near_pdf + far * far_pdf) / (1 + far);
@@ -110,7 +110,7 @@ template <typename Function> double integral(std::size_t i, double g, const Func
     return sum;
 }
 
-std::vector<double> expected(const Scatter &scatter, const GuideMode &mode, Guiding guiding) {
+std::vector<double> expected(const Scatter &scatter, const GuideMode &mode) {
     constexpr std::size_t turns_per_bin = 8;
     const Vec3 axis = scatter.from.cast<double>();
     const Vec3 side = axis.cross(std::abs(axis.x()) < .7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)).normalized();
@@ -124,7 +124,7 @@ std::vector<double> expected(const Scatter &scatter, const GuideMode &mode, Guid
                 integral(i, scatter.g,
                          [&](double cosine) {
                              const double sine = std::sqrt(std::max(0., 1 - cosine * cosine));
-                             return density(scatter, mode, guiding, -(cosine * axis.z() + sine * across));
+                             return density(scatter, mode, -(cosine * axis.z() + sine * across));
                          }) /
                 (bins * turns_per_bin);
         }
@@ -134,7 +134,7 @@ std::vector<double> expected(const Scatter &scatter, const GuideMode &mode, Guid
 std::size_t bin_of(double u) { return std::size_t(std::clamp(u * bins, 0., bins - .5)); }
 
 void check(const Scatter &scatter, Guiding guiding, std::uint32_t seed) {
-    const GuideMode mode = guide::guide_mode(scatter.albedo, scatter.g, guiding == GUIDING_DWIVEDI);
+    const GuideMode mode = guide::guide_mode(scatter.albedo, scatter.g, scatter.g == 0);
     const std::vector<float> drawn = turns(scatter, mode, guiding, seed);
     const Vec3 axis = scatter.from.cast<double>();
     std::vector<std::uint64_t> observed(bins * bins);
@@ -143,9 +143,9 @@ void check(const Scatter &scatter, Guiding guiding, std::uint32_t seed) {
         const Vec3 d = direction_of(drawn, i);
         ++observed[bin_of(cumulated(.5 * (d - axis).squaredNorm(), scatter.g)) * bins + bin_of(azimuth(d, axis))];
         if (i % 16 != 0) continue;
-        worst = std::max(worst, std::abs(double(drawn[4 * i + 3]) / density(scatter, mode, guiding, -d.z()) - 1));
+        worst = std::max(worst, std::abs(double(drawn[4 * i + 3]) / density(scatter, mode, -d.z()) - 1));
     }
-    const std::vector<double> shares = expected(scatter, mode, guiding);
+    const std::vector<double> shares = expected(scatter, mode);
     EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.), 1, 1e-3) << name_of(scatter);
     EXPECT_LE(worst, 2e-5) << name_of(scatter);
     expect_distribution(observed, shares, name_of(scatter));

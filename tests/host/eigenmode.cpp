@@ -123,7 +123,7 @@ std::vector<GuideMode> table(const scene::Value &anisotropy, Guiding guiding) {
     material[PARAMETER_subsurface_scatter_anisotropy] = anisotropy;
     std::vector<Material> materials(1);
     std::vector<GuideMode> modes;
-    render::add_guides(scene, materials, modes);
+    render::add_guides(scene, false, materials, modes);
     return modes;
 }
 
