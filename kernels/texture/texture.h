@@ -7,8 +7,7 @@
 float4 texture_texel(const Scene *scene, global const Texture *texture, uint x, uint y) {
     const uint at = texture->first + (y * texture->width + x) * texture->channels;
     if (texture->channels == 1u) return (float4)(vload_half(at, scene->texels));
-    return (float4)(vload_half(at, scene->texels), vload_half(at + 1u, scene->texels),
-                    vload_half(at + 2u, scene->texels), vload_half(at + 3u, scene->texels));
+    return vload_half4(0, scene->texels + at);
 }
 
 // uv: (0, 0) is the lower left corner of the picture, row 0 of the texels its top.
