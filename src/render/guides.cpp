@@ -108,9 +108,20 @@ Across across(const scene::Scene &scene, const scene::Material &material, double
 /// (build/bench/guiding without these limits; a guided walk takes 1.2 times as long).
 constexpr double least_scatters = .22, least_folds = .2;
 
-bool is_thin(const Across &a, bool even_light) {
-    return even_light ? a.scatters < least_scatters : a.folds < least_folds;
+bool is_thin(const Across &a, double lost, bool even_light) {
+    return even_light ? a.scatters < least_scatters + 2.5 * lost : a.folds < least_folds;
 }
+
+/// What a guide loses under bleed: flights are no longer those of its mode, and the more they go forward, the less does a
+/// turn save. Slabs of one transport mean free path in light from everywhere (g .8) are .8 times as good with one at
+/// bleed .5 and 1, half-spaces 2.6 and 1.1 times, balls of 30 mean free paths 1.2 and .8 times; at g 0 all gain.
+double lost_under_bleed(const scene::Scene &scene, const scene::Material &material) {
+    const Vec3 g = scene::mean_color(scene, material[PARAMETER_subsurface_scatter_anisotropy]);
+    return std::max(0., g.maxCoeff()) * scene::mean_color(scene, material[PARAMETER_subsurface_bleed]).x();
+}
+
+/// With more lost than this only flat bodies gain.
+constexpr double most_lost = .42;
 
 /// Bodies are flat to a walk that are larger than so many lengths of light_path, or so many times their thickness.
 constexpr double flat_size = 500, flat_ratio = 20;
@@ -129,8 +140,10 @@ bool choose_guided(const scene::Scene &scene, Geometry &geometry) {
         const double extent = box.sizes().maxCoeff(), path = light_path(scene, material),
                      thick = thickness(object.mesh);
         if (extent < least_size * path) continue;
-        if (geometry.objects[i].closed && is_thin(across(scene, material, thick), even_light)) continue;
+        const double lost = lost_under_bleed(scene, material);
+        if (geometry.objects[i].closed && is_thin(across(scene, material, thick), lost, even_light)) continue;
         const bool flat = extent > flat_size * path || extent > flat_ratio * thick;
+        if (!flat && lost > most_lost) continue;
         geometry.objects[i].guided = flat ? GUIDE_SHARE : GUIDE_SHARE_CURVED;
         some = true;
     }
