@@ -28,6 +28,9 @@ struct Result {
     double light_variance = -1;   // without media; models only
 
     double gain(const Figures &figure) const { return figures[0].cost() / figure.cost(); }
+    double relative_gain(const Figures &figure) const {
+        return figures[0].relative * figures[0].seconds / (figure.relative * figure.seconds);
+    }
     double default_gain() const {
         for (const Figures &f : figures)
             if (f.estimator.guiding == defaults.guiding && f.estimator.sampling == defaults.sampling) return gain(f);
@@ -63,7 +66,8 @@ void print(const Result &result) {
                    f.variance, result.gain(f), f.flights);
         if (f.weights) fmt::print(" {:9.2f} {:9.2f}", f.weights->percentile, f.weights->largest);
         if (result.light_variance >= 0)
-            fmt::print("  variance of Lambertian surfaces there: {:.2f} of it", result.light_variance / f.variance);
+            fmt::print("  in relative variance {:.2f}; variance of Lambertian surfaces there: {:.2f} of it",
+                       result.relative_gain(f), result.light_variance / f.variance);
         fmt::print("\n");
     }
     std::fflush(stdout);
@@ -105,6 +109,7 @@ nlohmann::json to_json(const Result &result) {
         row = {{"s_per_msample", 1e6 * f.seconds},
                {"variance", f.variance},
                {"gain", result.gain(f)},
+               {"relative_gain", result.relative_gain(f)},
                {"flights", f.flights}};
         if (f.weights) {
             row["largest"] = f.weights->largest;

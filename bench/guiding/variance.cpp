@@ -2,6 +2,7 @@
 #include "measure.h"
 #include "render/session.h"
 #include "render/statistics.h"
+#include <numeric>
 
 namespace nacre::bench {
 namespace {
@@ -26,19 +27,34 @@ std::vector<double> luminance(const io::Picture &picture) {
     return values;
 }
 
-/// Of pixels that all show the same.
-double patch_variance(const std::vector<double> &values) {
-    double mean = 0, squares = 0;
-    for (const double value : values) mean += value / double(values.size());
-    for (const double value : values) squares += (value - mean) * (value - mean);
-    return squares / double(values.size() - 1);
+/// Per pixel.
+struct Variance {
+    double plain = 0, relative = 0;
+};
+
+double mean_of(const std::vector<double> &values) {
+    return std::accumulate(values.begin(), values.end(), 0.) / double(values.size());
 }
 
-/// Of pixels of which there are two pictures with different seeds.
-double pair_variance(const std::vector<double> &a, const std::vector<double> &b) {
+/// Of pixels that all show the same.
+Variance patch_variance(const std::vector<double> &values) {
+    const double mean = mean_of(values);
     double squares = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]) / 2;
-    return squares / double(a.size());
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    squares /= double(values.size() - 1);
+    return {squares, squares / (mean * mean)};
+}
+
+/// Of pixels of which there are two pictures with different seeds; relative as relMSE is.
+Variance pair_variance(const std::vector<double> &a, const std::vector<double> &b) {
+    const double least = .01 * mean_of(a) * mean_of(b);
+    Variance sum;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double square = (a[i] - b[i]) * (a[i] - b[i]) / 2;
+        sum.plain += square / double(a.size());
+        sum.relative += square / (a[i] * b[i] + least) / double(a.size());
+    }
+    return sum;
 }
 
 /// One estimator's pictures of a scene: one of a flat patch, else two, to see how far they lie apart.
@@ -64,11 +80,12 @@ class Pictures {
         return seconds / count;
     }
 
-    double variance() const {
+    /// Of a sample.
+    Variance variance() const {
         const std::vector<double> first = luminance(sessions[0]->picture());
-        const double found =
+        const Variance found =
             sessions.size() == 1 ? patch_variance(first) : pair_variance(first, luminance(sessions[1]->picture()));
-        return found * samples;
+        return {found.plain * samples, found.relative * samples};
     }
 
     double flights() const {
@@ -115,7 +132,9 @@ std::vector<Figures> measure(const device::Device &device, const Scenario &scena
         for (std::size_t i = 0; i < pictures.size(); ++i) seconds[i].push_back(pictures[i].render());
     std::vector<Figures> all;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        Figures figures{estimators[i], median(seconds[i]), pictures[i].variance(), pictures[i].flights(), {}};
+        const Variance variance = pictures[i].variance();
+        Figures figures{estimators[i],     median(seconds[i]),    variance.plain,
+                        variance.relative, pictures[i].flights(), {}};
         if (scenario.flat) figures.weights = weights_of(device, scenario, estimators[i]);
         all.push_back(figures);
     }
@@ -126,7 +145,7 @@ double variance_of(const device::Device &device, const Scenario &scenario, const
                    std::uint32_t samples) {
     Pictures pictures(device, scenario, estimator, samples);
     pictures.render();
-    return pictures.variance();
+    return pictures.variance().plain;
 }
 
 } // namespace nacre::bench

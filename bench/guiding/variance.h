@@ -23,6 +23,7 @@ struct Figures {
     Estimator estimator;
     double seconds = 0;  // of kernels per sample of a pixel: the median
     double variance = 0; // of the luminance per sample: what a pixel's variance is, times its samples
+    double relative = 0; // that over the square of the pixel's mean and .01 of the picture's: not ruled by highlights
     double flights = 0;  // per walk
     std::optional<Weights> weights;
 

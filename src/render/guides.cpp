@@ -112,8 +112,8 @@ bool is_thin(const Across &a, double lost, bool even_light) {
     return even_light ? a.scatters < least_scatters + 2.5 * lost : a.folds < least_folds;
 }
 
-/// What a guide loses under bleed: flights are no longer those of its mode, and the more they go forward, the less does a
-/// turn save. Slabs of one transport mean free path in light from everywhere (g .8) are .8 times as good with one at
+/// What a guide loses under bleed: flights are no longer those of its mode, and the more they go forward, the less does
+/// a turn save. Slabs of one transport mean free path in light from everywhere (g .8) are .8 times as good with one at
 /// bleed .5 and 1, half-spaces 2.6 and 1.1 times, balls of 30 mean free paths 1.2 and .8 times; at g 0 all gain.
 double lost_under_bleed(const scene::Scene &scene, const scene::Material &material) {
     const Vec3 g = scene::mean_color(scene, material[PARAMETER_subsurface_scatter_anisotropy]);
