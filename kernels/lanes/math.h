@@ -64,7 +64,7 @@ real exp_reduced(real x, natural *exponent) {
 real lane_exp(real x) {
     natural exponent;
     const real p = exp_reduced(x, &exponent);
-    const real y = pick(x > -87.336544f, as_real(as_natural(1.0f + p) + exponent), (real)(0.0f));
+    const real y = pick(x >= -0x1.5d589ep+6f, as_real(as_natural(1.0f + p) + exponent), (real)(0.0f));
     return pick(x < EXP_OVERFLOW, y, x + INFINITY);
 }
 
@@ -94,12 +94,13 @@ float log_scalar(float x) {
 }
 
 // sin and cos of 2 pi u for u in [0, 1]. Argument reduction is exact in turns, the number of quarters rounded as in
-// exp_reduced; polynomials on [-pi/4, pi/4] from Moshier's Cephes (sinf, cosf): within 2 ulp. In place of sincos(), which
-// takes a pointer. Once over scalars, for surfaces, and once over lanes where those are vectors.
+// exp_reduced, 2 pi in two parts; polynomials on [-pi/4, pi/4] from Moshier's Cephes (sinf, cosf): within 2 ulp. In place of
+// sincos(), which takes a pointer. Once over scalars, for surfaces, and once over lanes where those are vectors.
 #define DEFINE_SINCOS(name, R, W, AS_WHOLE, PICK)                                                                      \
     void name(R u, R *s, R *c) {                                                                                       \
         const R shifted = fma(u, (R)(4.0f), (R)(0x1.8p+23f)), quarter = shifted - 0x1.8p+23f;                          \
-        const R r = fma(quarter, (R)(-0.25f), u) * 6.28318530717959f;                                                  \
+        const R turn = fma(quarter, (R)(-0.25f), u), rest = turn * -0x1.777a5cp-23f;                                   \
+        const R r = fma(turn, (R)(0x1.921fb6p+2f), rest);                                                              \
         const W k = AS_WHOLE(shifted);                                                                                 \
         const R r2 = r * r;                                                                                            \
         const R p = fma(r2, fma(r2, (R)(-1.9515295891e-4f), (R)(8.3321608736e-3f)), (R)(-1.6666654611e-1f));           \

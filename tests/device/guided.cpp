@@ -36,16 +36,15 @@ void check_half_spaces(double error) {
                 probe.sigma = {1, 2.857142857f, 5, 0};
                 probe.anisotropy = known.g;
                 probe.bleed = known.bleed;
+                const std::string what = fmt::format("{} {} alpha {} g {} bleed {}", guiding_names[guiding],
+                                                     sampling_names[sampling], known.albedo, known.g, known.bleed);
                 Walks found = run_walks_to(probe, error, sampling, guiding);
                 for (Estimate &channel : found.near) {
                     channel.error = std::hypot(channel.error, known.error);
-                    expect_exact(channel, known.reflectance, error + known.error,
-                                 fmt::format("{} {} alpha {} g {} bleed {}", guiding_names[guiding],
-                                             sampling_names[sampling], known.albedo, known.g, known.bleed)
-                                     .c_str());
+                    expect_exact(channel, known.reflectance, error + known.error, what.c_str());
                 }
                 if (known.bleed == 0 && guiding == GUIDING_EIGEN) {
-                    EXPECT_LT(found.largest, 10);
+                    EXPECT_LT(found.largest, 10) << what;
                 }
             }
 }

@@ -119,17 +119,35 @@ TEST(LaneMath, Edges) {
         Function function;
         float x, result;
     };
-    const Edge edges[] = {
-        {Function::log, 0, -inf},         {Function::log, -0.0f, -inf},      {Function::log, 1, 0},
-        {Function::log, inf, inf},        {Function::log, -1e-38f, nan},     {Function::log, -1, nan},
-        {Function::log, -inf, nan},       {Function::log, nan, nan},         {Function::exp, 0, 1},
-        {Function::exp, -0.0f, 1},        {Function::exp, inf, inf},         {Function::exp, -inf, 0},
-        {Function::exp, nan, nan},        {Function::exp, 88.72284f, inf},   {Function::exp, -87.33655f, 0},
-        {Function::exp, 1e30f, inf},      {Function::exp, -1e30f, 0},        {Function::log1p, 0, 0},
-        {Function::log1p, inf, inf},      {Function::log1p, nan, nan},       {Function::log1p, 1e-30f, 1e-30f},
-        {Function::expm1, 0, 0},          {Function::expm1, inf, inf},       {Function::expm1, -inf, -1},
-        {Function::expm1, nan, nan},      {Function::expm1, 88.72284f, inf}, {Function::expm1, -1e30f, -1},
-        {Function::expm1, 1e-30f, 1e-30f}};
+    const Edge edges[] = {{Function::log, 0, -inf},
+                          {Function::log, -0.0f, -inf},
+                          {Function::log, 1, 0},
+                          {Function::log, inf, inf},
+                          {Function::log, -1e-38f, nan},
+                          {Function::log, -1, nan},
+                          {Function::log, -inf, nan},
+                          {Function::log, nan, nan},
+                          {Function::exp, 0, 1},
+                          {Function::exp, -0.0f, 1},
+                          {Function::exp, inf, inf},
+                          {Function::exp, -inf, 0},
+                          {Function::exp, nan, nan},
+                          {Function::exp, 88.72284f, inf},
+                          {Function::exp, -87.33655f, 0},
+                          {Function::exp, 1e30f, inf},
+                          {Function::exp, -1e30f, 0},
+                          {Function::exp, -0x1.5d589ep+6f, 0x1.00004cp-126f}, // the last normal number
+                          {Function::log1p, 0, 0},
+                          {Function::log1p, inf, inf},
+                          {Function::log1p, nan, nan},
+                          {Function::log1p, 1e-30f, 1e-30f},
+                          {Function::expm1, 0, 0},
+                          {Function::expm1, inf, inf},
+                          {Function::expm1, -inf, -1},
+                          {Function::expm1, nan, nan},
+                          {Function::expm1, 88.72284f, inf},
+                          {Function::expm1, -1e30f, -1},
+                          {Function::expm1, 1e-30f, 1e-30f}};
     for (const Edge &edge : edges) {
         const Bits in(4096, std::bit_cast<std::uint32_t>(edge.x));
         for (const int lanes : lane_counts) {
