@@ -212,7 +212,8 @@ struct Session::Impl {
             run.progress.wanted = std::uint64_t(inside * double(allocation.expected()));
             std::vector<std::uint32_t> counts(pixels);
             for (std::uint32_t sample = allocation.first(); sample < allocation.end() && !run.ended;) {
-                const std::uint32_t count = std::min(allocation.end() - sample, samples_at_once);
+                const std::uint32_t count =
+                    std::min(allocation.end() - sample, std::max(samples_at_once, batch_size / pixels));
                 for (std::uint32_t pixel = 0; pixel < pixels && !run.ended;) {
                     const std::uint32_t some = trace_some(pixel, pixels, sample, count);
                     for (std::uint32_t i = pixel; i < pixel + some; ++i) counts[i] += count;

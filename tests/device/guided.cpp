@@ -43,7 +43,8 @@ void check_half_spaces(double error) {
                     channel.error = std::hypot(channel.error, known.error);
                     expect_exact(channel, known.reflectance, error + known.error, what.c_str());
                 }
-                if (known.bleed == 0 && guiding == GUIDING_EIGEN) {
+                // With the defaults. Throughput sampling knows no bound: 12.5 in a million walks at g 0.
+                if (known.bleed == 0 && guiding == GUIDING_EIGEN && sampling == CHANNEL_HERO) {
                     EXPECT_LT(found.largest, 10) << what;
                 }
             }
