@@ -28,6 +28,9 @@ constexpr std::uint32_t smallest_batch = 64, first_batch = 4096, largest_batch =
 
 std::uint32_t halves_of(const Options &options) { return options.error > 0 ? 2 : 1; }
 
+/// Paths of a launch, where a render takes as many between two looks at its film.
+std::uint32_t capacity_for(std::uint64_t paths) { return std::uint32_t(std::min<std::uint64_t>(largest_batch, paths)); }
+
 /// The part of the image to render. Throws Error{Exit::device} if the device cannot hold its film in one buffer.
 Crop crop_that_fits(const Options &options, const scene::Scene &scene, const device::Device &device) {
     Crop crop = options.crop;
@@ -67,7 +70,8 @@ struct Session::Impl {
     DeviceScene scene;
     device::Program program;
     Film film;
-    double target, until; // Options::error, Options::seconds
+    std::uint32_t capacity; // paths of a launch
+    double target, until;   // Options::error, Options::seconds
     Timeline *timeline;
     device::Recorder recorder;
     std::unique_ptr<Tracer> tracer;
@@ -78,7 +82,8 @@ struct Session::Impl {
     Impl(device::Device opened, const scene::Scene &source, const Options &options)
         : device(with_lanes(std::move(opened), source.lanes)), layers(options.layers),
           crop(crop_that_fits(options, source, device)), film(crop, layers.planes(), halves_of(options)),
-          target(options.error), until(options.seconds), timeline(options.timeline), recorder(timeline),
+          capacity(capacity_for(std::uint64_t(film.pixels()) * halves_of(options) * FILM_BLOCK)), target(options.error),
+          until(options.seconds), timeline(options.timeline), recorder(timeline),
           full_width(std::uint32_t(source.image.width)), full_height(std::uint32_t(source.image.height)) {
         scene = upload(device, source, scene::features(source, layers.surface(), layers.scatter()), crop, timeline);
         const std::uint32_t features = scene.frame.features; // with those that only the geometry shows
@@ -95,8 +100,7 @@ struct Session::Impl {
             program = device::build(device, variant);
         }
         tracer = std::make_unique<Tracer>(device, program, variant, scene, layers, film.pixels() * halves_of(options),
-                                          std::min(largest_batch, std::max(smallest_batch, film.pixels() * FILM_BLOCK)),
-                                          recorder);
+                                          capacity, recorder);
         // Last: Oclgrind takes a buffer that comes in the place of a released one to be initialised no further than
         // that was.
         check_layout(device, program, recorder);
@@ -140,7 +144,7 @@ struct Session::Impl {
     /// Brings launches towards launch_seconds.
     void adapt(double seconds, std::uint32_t paths) {
         const double wanted = paths * std::clamp(launch_seconds / seconds, 0.25, largest_growth);
-        batch_size = std::uint32_t(std::clamp(wanted, double(smallest_batch), double(largest_batch)));
+        batch_size = std::uint32_t(std::clamp(wanted, double(smallest_batch), double(capacity)));
     }
 
     /// Who is told how far a render is, and may end it.
