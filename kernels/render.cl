@@ -47,7 +47,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void light_points
     if (i < count) irradiance[i] = side_light(scene, i, points[2u * i].xyz, points[2u * i + 1u].xyz);
 }
 
-// Thickness of an object below each of its primitives. Each work-item takes one slot of its tree's blocks, from `first_block` on.
+// Thickness of an object below each of its primitives. Each work-item takes one slot of its tree's blocks, from the first on.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void object_thickness(
     SCENE_PARAMETERS, uint object, uint first_block, uint count, global float *found) {
     const uint i = get_global_id(0), block = first_block + i / BVH_WIDTH, slot = i % BVH_WIDTH;

@@ -67,8 +67,8 @@ ChannelSides pick_channel_sides(mask m, ChannelSides a, ChannelSides b) {
     return r;
 }
 
-// Turns the direction `from` of the lanes `turning` by the technique that was chosen; phi: at each lane's new direction, or at the
-// one that it keeps. Returns the lanes whose direction was refused: one of the phase function is kept with the
+// Turns the direction `from` of the lanes `turning` by the technique that was chosen; phi: at each lane's new direction, or at
+// the one that it keeps. Returns the lanes whose direction was refused: one of the phase function is kept with the
 // probability phi / peak. Isotropic scattering refuses none.
 mask eigen_try(const Scene *scene, GuideLanes *guide, whole channel, real g, mask turning, LaneSampler sampler, real3 from,
                real3 *direction, ChannelSides *phi) {

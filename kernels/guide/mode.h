@@ -1,5 +1,5 @@
-// phi of a medium's slowest mode (shared/guide.h) over lanes, and its mean over the directions after a scatter. Where scattering is
-// isotropic phi is 1 / (nu - mu) itself, of which a direction can be drawn at once.
+// phi of a medium's slowest mode (shared/guide.h) over lanes, and its mean over the directions after a scatter. Where scattering
+// is isotropic phi is 1 / (nu - mu) itself, of which a direction can be drawn at once.
 #ifndef NACRE_GUIDE_MODE_H
 #define NACRE_GUIDE_MODE_H
 

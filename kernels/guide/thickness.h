@@ -1,5 +1,5 @@
-// How thick an object is below a triangle, straight down from its centre: to guide walks it need not be known better, and a ray for
-// each walk took a twentieth of a render's time.
+// How thick an object is below a triangle, straight down from its centre: to guide walks it need not be known better, and a ray
+// for each walk took a twentieth of a render's time.
 #ifndef NACRE_GUIDE_THICKNESS_H
 #define NACRE_GUIDE_THICKNESS_H
 

@@ -23,8 +23,8 @@ class Recorder {
         double code_generation = 0; // the first launch's seconds that it did not run: PoCL makes machine code there
     };
 
-    /// Launches a kernel with all its arguments for `items` work-items, rounded up to the device's work-groups, and waits
-    /// for it. Returns the seconds it ran.
+    /// Launches a kernel with all its arguments for `items` work-items, rounded up to the device's work-groups, and
+    /// waits for it. Returns the seconds it ran.
     double run(const Device &device, const cl::Kernel &kernel, std::size_t items);
 
     /// Where the copy that is enqueued next shall put its event: null, which is "no event" to OpenCL, if there is no

@@ -19,7 +19,7 @@ struct Geometry {
     std::uint32_t root = 0;             // of the tree over everything
     std::vector<accel::Triangle> world; // by primitive, on the host only
     std::vector<shared::Object> objects;
-    std::vector<Blocks> walk_blocks; // of the tree of each object with subsurface scattering
+    std::vector<Blocks> walk_blocks;     // of the tree of each object with subsurface scattering
     std::vector<shared::uint> triangles; // 3 vertices per primitive, where they have normals or uvs
     std::vector<float> normals;          // 3 per vertex, where the features have SMOOTH; 0: use the geometric one
     std::vector<float> uvs;              // 2 per vertex, where they have TEXTURES

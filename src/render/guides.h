@@ -4,7 +4,8 @@
 namespace nacre::render {
 
 /// Appends the modes that guide walks through the scene's materials and tells each where its own are. `materials` are
-/// those of the scene, in its order. Nothing where the scene has no guiding. `isotropic`: none of it scatters otherwise.
+/// those of the scene, in its order. Nothing where the scene has no guiding. `isotropic`: none of it scatters
+/// otherwise.
 void add_guides(const scene::Scene &scene, bool isotropic, std::vector<shared::Material> &materials,
                 std::vector<shared::GuideMode> &modes);
 

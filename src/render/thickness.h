@@ -5,8 +5,8 @@
 
 namespace nacre::render {
 
-/// Finds out with the kernels of `program` how thick the objects with guided walks are below each of their triangles, and
-/// tells the scene. Until then they are half-spaces.
+/// Finds out with the kernels of `program` how thick the objects with guided walks are below each of their triangles,
+/// and tells the scene. Until then they are half-spaces.
 void measure_thickness(const device::Device &device, const device::Program &program, const DeviceScene &scene,
                        device::Recorder &recorder);
 
