@@ -12,19 +12,21 @@ namespace {
 
 using shared::float4;
 
-std::vector<float> run_exact(const std::vector<float4> &vectors) {
+std::vector<float> run_exact(std::vector<float4> vectors) {
     const device::Device device = device::open_device();
     device::Variant variant;
     variant.entry = "probe_exact.cl";
     variant.exact = true;
     cl::Kernel kernel(device::build(device, variant).program, "probe_exact");
-    const std::size_t items = vectors.size() / 2;
+    const std::size_t group = std::size_t(device.quirks.work_group);
+    const std::size_t items = (vectors.size() / 2 + group - 1) / group * group;
+    vectors.resize(2 * items); // with zeros, unheeded
     const cl::Buffer from(device.context, CL_MEM_READ_ONLY, vectors.size() * sizeof(float4));
     const cl::Buffer to(device.context, CL_MEM_WRITE_ONLY, 8 * items * sizeof(float));
     device.queue.enqueueWriteBuffer(from, true, 0, vectors.size() * sizeof(float4), vectors.data());
     kernel.setArg(0, from);
     kernel.setArg(1, to);
-    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, items, std::size_t(device.quirks.work_group));
+    device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, items, group);
     std::vector<float> out(8 * items);
     device.queue.enqueueReadBuffer(to, true, 0, out.size() * sizeof(float), out.data());
     return out;

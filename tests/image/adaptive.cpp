@@ -104,7 +104,7 @@ TEST(Adaptive, LaunchesDoNotShow) {
     const Rendered picture = rendered(scene, adaptive(0.03));
     const std::vector<float> samples = samples_of(picture.picture);
     ASSERT_GT(*std::max_element(samples.begin(), samples.end()), 64);
-    for (const int lanes : {1, 4, 16}) {
+    for (const int lanes : lane_counts()) {
         SCOPED_TRACE(lanes);
         scene.lanes = lanes;
         expect_same_pixels(picture.picture, rendered(scene, adaptive(0.03)).picture);

@@ -30,6 +30,11 @@ scene::Scene scene_of(const std::string &json) {
     return scene;
 }
 
+std::vector<int> lane_counts() {
+    if (the_device().quirks.work_group > 1) return {1};
+    return {1, 4, 8, 16};
+}
+
 Rendered rendered(const scene::Scene &scene, const render::Options &options) {
     render::Session session(the_device(), scene, options);
     session.render(scene.render.spp);

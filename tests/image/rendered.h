@@ -4,6 +4,7 @@
 #include "render/session.h"
 #include <array>
 #include <string>
+#include <vector>
 
 namespace nacre {
 
@@ -14,6 +15,9 @@ struct Rendered {
 
     float at(int x, int y, std::size_t channel) const;
 };
+
+/// Walks side by side that the default device may be asked for: a GPU's work-items are lanes already, it has one.
+std::vector<int> lane_counts();
 
 /// A mean over pixels and its standard error (pixels are independent: each has its own scrambling).
 struct Mean {
