@@ -86,7 +86,6 @@ int run(Options options) {
     Report report;
     report.device =
         fmt::format("{}, {} compute units; {} seeds", device.info.name, device.info.compute_units, options.seeds);
-    report.remarks.push_back("One sampler (Owen-scrambled Sobol) and one roulette: neither is a mode.");
     report.remarks.push_back(
         "adaptive takes 32 samples of every pixel and more: its pictures of smaller budgets are alike.");
     const std::regex filter(options.scenes);

@@ -12,6 +12,9 @@ bool isotropic(const scene::Scene &scene) {
     return true;
 }
 
+/// Without roulette, nothing but max_depth ends paths between white walls.
+bool limited(const scene::Scene &scene) { return scene.render.max_depth > 0; }
+
 template <ChannelSampling sampling> void channel(Setup &setup) { setup.scene.render.channel_sampling = sampling; }
 template <Guiding guiding> void guide(Setup &setup) { setup.scene.render.guiding = guiding; }
 template <int lanes> void side_by_side(Setup &setup) { setup.scene.lanes = lanes; }
@@ -38,6 +41,13 @@ const std::vector<Mode> &modes() {
         {"lanes_16", side_by_side<16>},
         {"generic", [](Setup &setup) { setup.options.generic = true; }},
         {"adaptive", adaptive},
+        {"sampler_random", [](Setup &setup) { setup.options.definitions = "-DSOBOL_VERTICES=0u"; }},
+        {"roulette_none", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.0f"; }},
+        {"roulette_0.05", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.05f"; }},
+        {"roulette_0.5", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.5f"; }},
+        {"roulette_surface_1", [](Setup &setup) { setup.options.definitions = "-DPATH_ROULETTE_START=1u"; }},
+        {"roulette_surface_none", [](Setup &setup) { setup.options.definitions = "-DPATH_ROULETTE_START=0xffffffffu"; },
+         limited},
     };
     return all;
 }

@@ -24,8 +24,10 @@ typedef enum {
 } Draw;
 
 // Vertices whose draws are Sobol pairs: the first surface, the exit of its walk, and one more. After that the integrand has
-// too many dimensions for it to matter.
+// too many dimensions for it to matter. 0: none, every number is hashed.
+#ifndef SOBOL_VERTICES
 #define SOBOL_VERTICES 3u
+#endif
 
 typedef struct {
     uint key;    // of seed, pixel and half

@@ -14,7 +14,7 @@ struct Variant {
     bool profile = false;            // counts what shared/counters.h lists under PROFILE_LIST
     bool exact = false;              // the same bits on every device
     bool tile_list = false;          // pixels come from a list of tiles: -DTILE_LIST, shared/path.h
-    std::string extra;               // further options, for probes
+    std::string extra;               // further options, for probes and benches
 };
 
 /// Compiler options of a variant on a device. Always OpenCL C 1.2, never finite-math-only. Throws Error{Exit::device}

@@ -95,6 +95,7 @@ struct Session::Impl {
         variant.exact = options.exact;
         variant.profile = options.profile;
         variant.tile_list = target > 0;
+        variant.extra = options.definitions;
         {
             const Span span(timeline, "compile");
             program = device::build(device, variant);

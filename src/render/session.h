@@ -6,6 +6,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace nacre::render {
 
@@ -17,6 +18,7 @@ struct Options {
     double error = 0;             // > 0: adaptive, until this relative error is reached (allocation.h)
     double seconds = 0;           // > 0: ends with the first launch after so many seconds of the kernels
     bool profile = false;         // kernels that count what is in shared/counters.h under PROFILE_LIST
+    std::string definitions{};    // for benches: -D options of what kernels leave to the compiler under #ifndef
     Timeline *timeline = nullptr; // gets what is done from here on, if there is one; must outlive the session
 };
 
