@@ -159,11 +159,14 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_roulet
     global const Frame *frame, Probe probe, global float4 *out) {
     const uint i = get_global_id(0);
     if (i >= probe.count) return;
+    Scene view = {frame};
+    const Scene *scene = &view;
     Walk walk;
     walk.weight.x = probe.sigma.x;
     walk.weight.y = probe.sigma.y;
     walk.weight.z = probe.sigma.z;
-    const bool survives = bits(walk_roulette(&walk, random_unit(random_hash((uint4)(probe.seed, i, 9u, 10u)).x), 0)) != 0u;
+    const float xi = random_unit(random_hash((uint4)(probe.seed, i, 9u, 10u)).x);
+    const bool survives = bits(walk_roulette(scene, &walk, xi, 0)) != 0u;
     out[i] = (float4)(walk.weight.x, walk.weight.y, walk.weight.z, survives ? WALK_ROULETTE : 0.0f);
 }
 
@@ -315,7 +318,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
             }
             length += distance;
             walk_arrive(scene, &walk, &guide, distance, 0);
-            if (!bits(walk_roulette(&walk, random_unit(words.w), 0))) {
+            if (!bits(walk_roulette(scene, &walk, random_unit(words.w), 0))) {
                 if (!(walk.weight.x >= 0.0f)) near.x = NAN; // shows in the test
                 break;
             }

@@ -106,7 +106,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_lane_w
         walk_direct(scene, &walk, &guide, numbers.cosine, numbers.cosine, numbers, sampler, LANES_ALL);
         distance = walk_distance(scene, &walk, &guide, lane_unit(w.x));
         walk_arrive(scene, &walk, &guide, distance, no);
-        alive &= walk_roulette(&walk, lane_unit(w.w), no);
+        alive &= walk_roulette(scene, &walk, lane_unit(w.w), no);
     }
     const Flight flight = walk_flight(&walk);
     walk_arrive(scene, &walk, &guide, distance, yes);

@@ -43,7 +43,7 @@ const std::vector<Mode> &modes() {
         {"adaptive", adaptive},
         {"sampler_random", [](Setup &setup) { setup.options.definitions = "-DSOBOL_VERTICES=0u"; }},
         {"roulette_none", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.0f"; }},
-        {"roulette_0.05", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.05f"; }},
+        {"roulette_0.1", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.1f"; }},
         {"roulette_0.5", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.5f"; }},
         {"roulette_surface_1", [](Setup &setup) { setup.options.definitions = "-DPATH_ROULETTE_START=1u"; }},
         {"roulette_surface_none", [](Setup &setup) { setup.options.definitions = "-DPATH_ROULETTE_START=0xffffffffu"; },

@@ -182,7 +182,7 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left
     walk->share = pick3(moves, walk->share, share);
     walk->steps = pick(moves, walk->steps, steps);
     if (HAS(CLEARANCE)) lanes->clear = pick(moves, lanes->clear_end, lanes->clear);
-    const mask survives = walk_roulette(walk, lane_unit(lanes->words.w), left | (moves == 0));
+    const mask survives = walk_roulette(scene, walk, lane_unit(lanes->words.w), left | (moves == 0));
     ends.ended = flown & ~bits(survives);
     ends.capped = flown & ~ends.left & ~ends.slipped & ~ends.ended &
                   bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));

@@ -16,11 +16,12 @@
 #include "guide/dwivedi.h"
 #include "guide/eigen.h"
 
-// Walks whose largest weight is below this play Russian roulette; survivors are raised to it. In variance times time of
-// half-spaces and slabs (skin, g .8; grey .3) guided walks do not mind .02 to .2 and lose a factor of 2.7 at .4, where they are
-// dark; classical ones gain a fifth from .02 to .2, and little from there to .4.
+// Walks whose largest weight is below this play Russian roulette; survivors are raised to it. In relative variance times time a
+// slab of four mean free paths, lit from behind, where guided walks are dark, loses a fifth from .05 to .2 and half from there to
+// .5, and gains nothing below .05; other guided bodies do not mind .02 to .2 (bench/error_time, modes roulette_*). Classical
+// walks gain a fifth from .02 to .2, and little from there to .4.
 #ifndef WALK_ROULETTE
-#define WALK_ROULETTE 0.2f
+#define WALK_ROULETTE (GUIDED ? 0.05f : 0.2f) // GUIDED asks `scene`
 #endif
 
 typedef struct {
@@ -195,11 +196,12 @@ void walk_arrive(const Scene *scene, Walk *walk, const GuideLanes *guide, real d
 
 // Russian roulette on the largest weight, never on the drawn channel's. Returns who survives: no NaN does, so that every
 // walk ends. Those `exempt` do not play.
-mask walk_roulette(Walk *walk, real xi, mask exempt) {
+mask walk_roulette(const Scene *scene, Walk *walk, real xi, mask exempt) {
     const real sum = walk->weight.x + walk->weight.y + walk->weight.z;
     const real heaviest = pick(sum >= 0.0f, largest(walk->weight), (real)(-1.0f));
-    const mask survives = (xi * WALK_ROULETTE < heaviest) | exempt;
-    const real scale = pick((heaviest < WALK_ROULETTE) & survives & (exempt == 0), WALK_ROULETTE / heaviest, (real)(1.0f));
+    const float threshold = WALK_ROULETTE;
+    const mask survives = (xi * threshold < heaviest) | exempt;
+    const real scale = pick((heaviest < threshold) & survives & (exempt == 0), threshold / heaviest, (real)(1.0f));
     walk->weight.x *= scale;
     walk->weight.y *= scale;
     walk->weight.z *= scale;
