@@ -128,6 +128,10 @@ constexpr double most_lost = .42;
 /// 1, 1.3 and more from 2 on.
 constexpr double least_curved_folds = 1;
 
+/// The more forward a medium scatters, the more directions does a guide refuse: at g = .95 a guided walk takes 1.3 times
+/// as long, and through the memo's head it is .79 times as good (.97 at .8). Flat bodies gain there, too.
+constexpr double most_forward = .9;
+
 /// Media that show less colour than this end walks before a guide could: half-spaces of .02 are .85 times as good (g
 /// .8).
 constexpr double least_color = .05;
@@ -154,7 +158,9 @@ bool choose_guided(const scene::Scene &scene, Geometry &geometry) {
         const Across body = across(scene, material, thick);
         if (geometry.objects[i].closed && is_thin(body, lost, even_light)) continue;
         const bool flat = extent > flat_size * path || extent > flat_ratio * thick;
-        if (!flat && (lost > most_lost || (geometry.objects[i].closed && body.folds < least_curved_folds))) continue;
+        const double g = scene::mean_color(scene, material[PARAMETER_subsurface_scatter_anisotropy]).maxCoeff();
+        if (!flat && (lost > most_lost || g > most_forward)) continue;
+        if (!flat && geometry.objects[i].closed && body.folds < least_curved_folds) continue;
         geometry.objects[i].guided = flat ? GUIDE_SHARE : GUIDE_SHARE_CURVED;
         some = true;
     }
