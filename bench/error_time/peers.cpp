@@ -1,11 +1,13 @@
 #include "error_time/peers.h"
+#include "app/interrupt.h"
 #include "base/error.h"
 #include "io/image.h"
 #include "measure.h"
-#include <cstdlib>
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -43,7 +45,27 @@ class Scratch {
     const fs::path path;
 };
 
-bool succeeds(const std::string &command) { return std::system(command.c_str()) == 0; }
+/// In a process group of its own: Ctrl-C would reach a peer, too, and Cycles would go on with half a picture.
+bool succeeds(const std::string &command) {
+    const pid_t shell = fork();
+    if (shell == 0) {
+        setpgid(0, 0);
+        execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        _exit(127);
+    }
+    if (shell < 0) return false;
+    setpgid(shell, shell); // by whoever comes first, so that the group is there to be killed
+    int status = 0;
+    while (waitpid(shell, &status, WNOHANG) == 0) {
+        if (app::interrupted) {
+            kill(-shell, SIGKILL);
+            waitpid(shell, &status, 0);
+            throw Interrupted{};
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
 
 /// Every picture to make, in this order; after one to warm up.
 void write_job(const fs::path &folder, const std::vector<std::uint32_t> &budgets, std::uint32_t seeds) {

@@ -16,7 +16,7 @@ std::vector<std::string> peer_names();
 
 /// Renders the scene with `bench/peers/NAME.py`, with as many threads as this machine has. Seconds are those of its
 /// sampling alone, as far as its clock tells: what a picture of the largest budget takes longer than one of the
-/// smallest with the same seed, per sample, times the samples.
+/// smallest with the same seed, per sample, times the samples. Throws Interrupted.
 PeerShots shoot_peer(const std::string &name, const Scenario &scenario, const std::vector<std::uint32_t> &budgets,
                      std::uint32_t seeds);
 

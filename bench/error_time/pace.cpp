@@ -1,0 +1,27 @@
+#include "error_time/pace.h"
+#include "app/interrupt.h"
+#include <fmt/format.h>
+
+namespace nacre::bench {
+
+void check_interrupt() {
+    if (app::interrupted) throw Interrupted{};
+}
+
+void Pace::begin(std::string what, double all) {
+    scene = std::move(what);
+    samples = all;
+    done = current = 0;
+}
+
+void Pace::next(const std::string &render, std::uint32_t spp) {
+    check_interrupt();
+    done += current;
+    current = spp;
+    if (done == 0) start = Clock::now(); // what compiled until now does so once
+    const double share = done / samples, spent = std::chrono::duration<double>(Clock::now() - start).count();
+    const std::string left = done > 0 ? ", " + app::duration(spent * (1 - share) / share) + " left" : "";
+    bar.show(share, fmt::format("{}: {}{}", scene, render, left));
+}
+
+} // namespace nacre::bench
