@@ -80,8 +80,7 @@ SceneReport measure(const device::Device &device, const Scenario &scenario, cons
     for (const Series &series : all) out.modes.push_back(analyse(series, reference));
     compare_with(out.modes.front(), out.modes);
     for (const std::string &name : options.peers) {
-        pace.next("peer " + name, 0);
-        PeerShots shots = shoot_peer(name, scenario, options.budgets, options.seeds);
+        PeerShots shots = shoot_peer(name, scenario, options.budgets, options.seeds, pace);
         if (!shots.why_not.empty()) {
             report.remarks.push_back(shots.why_not);
             pace.finish();

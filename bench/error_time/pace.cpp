@@ -14,13 +14,18 @@ void Pace::begin(std::string what, double all) {
     done = current = 0;
 }
 
-void Pace::next(const std::string &render, std::uint32_t spp) {
+void Pace::next(std::string what, std::uint32_t spp) {
     check_interrupt();
+    render = std::move(what);
     done += current;
     current = spp;
     if (done == 0) start = Clock::now(); // what compiled until now does so once
+    show();
+}
+
+void Pace::show() {
     const double share = done / samples, spent = std::chrono::duration<double>(Clock::now() - start).count();
-    const std::string left = done > 0 ? ", " + app::duration(spent * (1 - share) / share) + " left" : "";
+    const std::string left = share > 0 && share < 1 ? ", " + app::duration(spent * (1 - share) / share) + " left" : "";
     bar.show(share, fmt::format("{}: {}{}", scene, render, left));
 }
 

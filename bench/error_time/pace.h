@@ -19,7 +19,10 @@ class Pace {
 
     /// Before a render of `spp`, "default, seed 1 of 16"; 0 spp if it is not among those samples, since what it takes
     /// says nothing of the others. Throws Interrupted.
-    void next(const std::string &render, std::uint32_t spp);
+    void next(std::string render, std::uint32_t spp);
+
+    /// Again, while it takes long.
+    void show();
 
     /// Before anything else is printed.
     void finish() { bar.finish(); }
@@ -28,7 +31,7 @@ class Pace {
     using Clock = std::chrono::steady_clock;
 
     app::ProgressBar bar{false, "error_time"};
-    std::string scene;
+    std::string scene, render;
     Clock::time_point start{};
     double samples = 0, done = 0, current = 0;
 };

@@ -45,8 +45,8 @@ class Scratch {
     const fs::path path;
 };
 
-/// In a process group of its own: Ctrl-C would reach a peer, too, and Cycles would go on with half a picture.
-bool succeeds(const std::string &command) {
+/// In a process group of its own: of Ctrl-C a peer could make a picture that is cut short, which would count.
+bool succeeds(const std::string &command, Pace &pace) {
     const pid_t shell = fork();
     if (shell == 0) {
         setpgid(0, 0);
@@ -62,6 +62,7 @@ bool succeeds(const std::string &command) {
             waitpid(shell, &status, 0);
             throw Interrupted{};
         }
+        pace.show();
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
@@ -92,10 +93,11 @@ std::vector<std::string> peer_names() {
 }
 
 PeerShots shoot_peer(const std::string &name, const Scenario &scenario, const std::vector<std::uint32_t> &budgets,
-                     std::uint32_t seeds) {
+                     std::uint32_t seeds, Pace &pace) {
+    pace.next("peer " + name, 0);
     const Peer &peer = *std::find_if(std::begin(peers), std::end(peers), [&](const Peer &p) { return name == p.name; });
     PeerShots out;
-    if (!succeeds(fmt::format("({}) > /dev/null 2>&1", peer.found))) {
+    if (!succeeds(fmt::format("({}) > /dev/null 2>&1", peer.found), pace)) {
         out.why_not = peer.missing;
         return out;
     }
@@ -107,7 +109,8 @@ PeerShots shoot_peer(const std::string &name, const Scenario &scenario, const st
     }
     write_job(folder, budgets, seeds);
     const std::string script = fmt::format("{}/{}.py", NACRE_PEERS, name);
-    if (!succeeds(fmt::format("{} > '{}/log' 2>&1", fmt::format(fmt::runtime(peer.run), script, folder), folder))) {
+    if (!succeeds(fmt::format("{} > '{}/log' 2>&1", fmt::format(fmt::runtime(peer.run), script, folder), folder),
+                  pace)) {
         std::ifstream log(folder + "/log");
         throw Error(Exit::failed, name, "failed:\n" + std::string(std::istreambuf_iterator<char>(log), {}));
     }
