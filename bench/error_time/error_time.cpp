@@ -1,12 +1,14 @@
 // Error against time: every mode of every scene at several budgets with independent seeds, against references.
+#include "app/interrupt.h"
 #include "base/error.h"
 #include "error_time/peers.h"
 #include "error_time/report.h"
 #include "error_time/scenarios.h"
-#include "measure.h"
+#include "io/atomic_file.h"
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 #include <regex>
 
 using namespace nacre;
@@ -36,37 +38,52 @@ std::vector<const Mode *> chosen_modes(const Options &options, const scene::Scen
     return chosen;
 }
 
+/// Samples per pixel of all pictures of a scene, but for those that compile.
+double samples_of(std::size_t modes, const Options &options) {
+    const double once = std::accumulate(options.budgets.begin(), options.budgets.end(), 0.);
+    const double most = options.budgets.back();
+    return most + once * options.seeds * double(modes) + most * reference_factor * reference_renders;
+}
+
 /// In turns, so that what else the machine does meets all modes alike.
 std::vector<Series> shoot_all(const device::Device &device, const scene::Scene &scene,
-                              const std::vector<const Mode *> &chosen, const Options &options) {
+                              const std::vector<const Mode *> &chosen, const Options &options, Pace &pace) {
     std::vector<Series> all;
     for (const Mode *mode : chosen) {
         Series &series = all.emplace_back();
         series.name = mode->name;
+        pace.next(mode->name + ", start-up", 0);
         shoot(device, scene, *mode, options.budgets.front(), 0, 1, &series.startup); // compiles; does not count
     }
     const double most = options.budgets.back();
+    pace.next("noise", options.budgets.back());
     const double error = noise_of(shoot(device, scene, *chosen.front(), options.budgets.back(), 0, 0).picture);
     for (std::uint32_t seed = 1; seed <= options.seeds; ++seed)
         for (const std::uint32_t spp : options.budgets)
-            for (std::size_t i = 0; i < chosen.size(); ++i)
+            for (std::size_t i = 0; i < chosen.size(); ++i) {
+                pace.next(fmt::format("{}, seed {} of {}", chosen[i]->name, seed, options.seeds), spp);
                 all[i].shots.push_back(shoot(device, scene, *chosen[i], spp, seed, error * std::sqrt(most / spp)));
+            }
     for (Series &series : all) take_slopes(series.shots, options.budgets.size(), &Shot::cpu);
     return all;
 }
 
-SceneReport measure(const device::Device &device, const Scenario &scenario, const Options &options, Report &report) {
+SceneReport measure(const device::Device &device, const Scenario &scenario, const Options &options,
+                    const std::string &place, Report &report, Pace &pace) {
     SceneReport out{scenario.name, scenario.shows, scenario.scene.image.width, scenario.scene.image.height, 0, {}, {}};
     const std::uint32_t spp = options.budgets.back() * reference_factor;
     out.reference_spp = spp * reference_renders;
-    const std::vector<Series> all = shoot_all(device, scenario.scene, chosen_modes(options, scenario.scene), options);
-    const Reference reference = make_reference(device, scenario.scene, spp, reference_renders, reference_seed);
+    const std::vector<const Mode *> chosen = chosen_modes(options, scenario.scene);
+    pace.begin(fmt::format("scene {}, {}", place, scenario.name), samples_of(chosen.size(), options));
+    const std::vector<Series> all = shoot_all(device, scenario.scene, chosen, options, pace);
+    const Reference reference = make_reference(device, scenario.scene, spp, reference_renders, reference_seed, pace);
     for (const Series &series : all) out.modes.push_back(analyse(series, reference));
     compare_with(out.modes.front(), out.modes);
     for (const std::string &name : options.peers) {
-        PeerShots shots = shoot_peer(name, scenario, options.budgets, options.seeds);
+        PeerShots shots = shoot_peer(name, scenario, options.budgets, options.seeds, pace);
         if (!shots.why_not.empty()) {
             report.remarks.push_back(shots.why_not);
+            pace.finish();
             fmt::print("{}\n", shots.why_not);
             continue;
         }
@@ -74,6 +91,13 @@ SceneReport measure(const device::Device &device, const Scenario &scenario, cons
     }
     compare_with(out.modes.front(), out.peers);
     return out;
+}
+
+/// Those that are asked for, whole: what is measured is kept, whatever becomes of the next scene.
+void write(const Options &options, const Report &report) {
+    if (!options.json.empty()) io::write_text(options.json, to_json(report).dump(2) + "\n");
+    if (!options.csv.empty()) io::write_text(options.csv, to_csv(report));
+    if (!options.html.empty()) io::write_text(options.html, to_page(report));
 }
 
 int run(Options options) {
@@ -89,16 +113,27 @@ int run(Options options) {
     report.remarks.push_back(
         "adaptive takes 32 samples of every pixel and more: its pictures of smaller budgets are alike.");
     const std::regex filter(options.scenes);
-    for (const Scenario &scenario : scenarios())
-        if (std::regex_search(scenario.name, filter)) {
-            report.scenes.push_back(measure(device, scenario, options, report));
+    std::vector<Scenario> chosen = scenarios();
+    std::erase_if(chosen, [&](const Scenario &scenario) { return !std::regex_search(scenario.name, filter); });
+    if (chosen.empty()) throw Error(Exit::usage, "--scenes", "no scene has a name like " + options.scenes);
+    app::catch_interrupts();
+    Pace pace;
+    try {
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            const std::string place = fmt::format("{} of {}", i + 1, chosen.size());
+            SceneReport scene = measure(device, chosen[i], options, place, report, pace);
+            report.scenes.push_back(std::move(scene));
+            pace.finish();
             print(report.scenes.back());
+            write(options, report);
         }
-    if (report.scenes.empty()) throw Error(Exit::usage, "--scenes", "no scene has a name like " + options.scenes);
-    if (!options.json.empty()) write_json(options.json, to_json(report));
-    if (!options.csv.empty()) write_csv(options.csv, report);
-    if (!options.html.empty()) write_page(options.html, report);
-    return 0;
+    } catch (const Interrupted &) {
+        pace.finish();
+        fmt::print(stderr, "error_time: stopped; figures are kept of the scenes that are complete, {} of {}\n",
+                   report.scenes.size(), chosen.size());
+        return int(Exit::interrupted);
+    }
+    return int(Exit::done);
 }
 
 } // namespace

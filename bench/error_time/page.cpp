@@ -1,9 +1,7 @@
 // The HTML page: everything inline, so that it can be sent on as one file.
-#include "base/error.h"
 #include "error_time/plot.h"
 #include "error_time/report.h"
 #include <fmt/format.h>
-#include <fstream>
 
 namespace nacre::bench {
 namespace {
@@ -100,18 +98,19 @@ std::string gains(const SceneReport &scene) {
 
 } // namespace
 
-void write_page(const std::string &file, const Report &report) {
-    std::ofstream out(file);
-    out << "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>nacre: error and time</title><style>"
-        << style << "</style></head><body><h1>Error and time</h1><p>" << escaped(report.device) << "</p>" << legend;
-    for (const std::string &remark : report.remarks) out << "<p>" << escaped(remark) << "</p>";
-    for (const SceneReport &scene : report.scenes)
-        out << "<h2>" << escaped(scene.name) << "</h2><p>"
-            << escaped(fmt::format("{}; {} x {} pixels, reference of {} samples a pixel", scene.shows, scene.width,
-                                   scene.height, scene.reference_spp))
-            << "</p>" << gains(scene) << plots(scene) << figures(scene) << startup(scene) << "\n";
-    out << "</body></html>\n";
-    if (!out.flush()) throw Error(Exit::output, file, "cannot be written");
+std::string to_page(const Report &report) {
+    std::string out = fmt::format(
+        "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>nacre: error and time</title><style>{}"
+        "</style></head><body><h1>Error and time</h1><p>{}</p>{}",
+        style, escaped(report.device), legend);
+    for (const std::string &remark : report.remarks) out += "<p>" + escaped(remark) + "</p>";
+    for (const SceneReport &scene : report.scenes) {
+        const std::string what = fmt::format("{}; {} x {} pixels, reference of {} samples a pixel", scene.shows,
+                                             scene.width, scene.height, scene.reference_spp);
+        out += fmt::format("<h2>{}</h2><p>{}</p>{}{}{}{}\n", escaped(scene.name), escaped(what), gains(scene),
+                           plots(scene), figures(scene), startup(scene));
+    }
+    return out + "</body></html>\n";
 }
 
 } // namespace nacre::bench

@@ -1,11 +1,13 @@
 #include "error_time/peers.h"
+#include "app/interrupt.h"
 #include "base/error.h"
 #include "io/image.h"
 #include "measure.h"
-#include <cstdlib>
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -43,7 +45,28 @@ class Scratch {
     const fs::path path;
 };
 
-bool succeeds(const std::string &command) { return std::system(command.c_str()) == 0; }
+/// In a process group of its own: of Ctrl-C a peer could make a picture that is cut short, which would count.
+bool succeeds(const std::string &command, Pace &pace) {
+    const pid_t shell = fork();
+    if (shell == 0) {
+        setpgid(0, 0);
+        execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        _exit(127);
+    }
+    if (shell < 0) return false;
+    setpgid(shell, shell); // by whoever comes first, so that the group is there to be killed
+    int status = 0;
+    while (waitpid(shell, &status, WNOHANG) == 0) {
+        if (app::interrupted) {
+            kill(-shell, SIGKILL);
+            waitpid(shell, &status, 0);
+            throw Interrupted{};
+        }
+        pace.show();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
 
 /// Every picture to make, in this order; after one to warm up.
 void write_job(const fs::path &folder, const std::vector<std::uint32_t> &budgets, std::uint32_t seeds) {
@@ -70,10 +93,11 @@ std::vector<std::string> peer_names() {
 }
 
 PeerShots shoot_peer(const std::string &name, const Scenario &scenario, const std::vector<std::uint32_t> &budgets,
-                     std::uint32_t seeds) {
+                     std::uint32_t seeds, Pace &pace) {
+    pace.next("peer " + name, 0);
     const Peer &peer = *std::find_if(std::begin(peers), std::end(peers), [&](const Peer &p) { return name == p.name; });
     PeerShots out;
-    if (!succeeds(fmt::format("({}) > /dev/null 2>&1", peer.found))) {
+    if (!succeeds(fmt::format("({}) > /dev/null 2>&1", peer.found), pace)) {
         out.why_not = peer.missing;
         return out;
     }
@@ -85,7 +109,8 @@ PeerShots shoot_peer(const std::string &name, const Scenario &scenario, const st
     }
     write_job(folder, budgets, seeds);
     const std::string script = fmt::format("{}/{}.py", NACRE_PEERS, name);
-    if (!succeeds(fmt::format("{} > '{}/log' 2>&1", fmt::format(fmt::runtime(peer.run), script, folder), folder))) {
+    if (!succeeds(fmt::format("{} > '{}/log' 2>&1", fmt::format(fmt::runtime(peer.run), script, folder), folder),
+                  pace)) {
         std::ifstream log(folder + "/log");
         throw Error(Exit::failed, name, "failed:\n" + std::string(std::istreambuf_iterator<char>(log), {}));
     }

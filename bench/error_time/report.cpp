@@ -1,7 +1,5 @@
 #include "error_time/report.h"
-#include "base/error.h"
 #include <fmt/format.h>
-#include <fstream>
 
 namespace nacre::bench {
 namespace {
@@ -59,17 +57,17 @@ nlohmann::ordered_json to_json(const Report &report) {
     return json;
 }
 
-void write_csv(const std::string &file, const Report &report) {
-    std::ofstream out(file);
-    out << "scene,mode,spp,seed,seconds,cpu_s,mse,relmse,percentile_99.9,flip,relative_variance,level,passes\n";
+std::string to_csv(const Report &report) {
+    std::string out =
+        "scene,mode,spp,seed,seconds,cpu_s,mse,relmse,percentile_99.9,flip,relative_variance,level,passes\n";
     for (const SceneReport &scene : report.scenes)
         for (const auto *results : {&scene.modes, &scene.peers})
             for (const Result &result : *results)
                 for (const Distance &d : result.distances)
-                    out << fmt::format("{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.9g},{}\n",
+                    out += fmt::format("{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.9g},{}\n",
                                        scene.name, result.name, d.spp, d.seed, d.seconds, d.cpu, d.mse, d.relmse,
                                        d.worst, d.flip, d.variance, d.level, int(result.passes));
-    if (!out.flush()) throw Error(Exit::output, file, "cannot be written");
+    return out;
 }
 
 void print(const SceneReport &scene) {

@@ -1,6 +1,5 @@
 #pragma once
 #include "error_time/analysis.h"
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace nacre::bench {
@@ -21,11 +20,11 @@ struct Report {
 
 nlohmann::ordered_json to_json(const Report &report);
 
-/// One line per picture. Throws Error{Exit::output}, as below.
-void write_csv(const std::string &file, const Report &report);
+/// One line per picture.
+std::string to_csv(const Report &report);
 
-/// Plots and tables in one file that needs no other.
-void write_page(const std::string &file, const Report &report);
+/// Plots and tables in one HTML file that needs no other.
+std::string to_page(const Report &report);
 
 /// For the terminal.
 void print(const SceneReport &scene);

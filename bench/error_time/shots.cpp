@@ -1,7 +1,9 @@
 #include "error_time/shots.h"
+#include "app/interrupt.h"
 #include "error_time/figures.h"
 #include "measure.h"
 #include <cmath>
+#include <fmt/format.h>
 
 namespace nacre::bench {
 namespace {
@@ -86,7 +88,8 @@ Shot shoot(const device::Device &device, const scene::Scene &scene, const Mode &
     setup.scene.render.spp = worth;
     mode.apply(setup);
     render::Session session(device, setup.scene, setup.options);
-    const Seconds spent = seconds([&] { session.render(setup.spp); });
+    const Seconds spent = seconds([&] { session.render(setup.spp, {}, &app::interrupted); });
+    check_interrupt();
     const render::Statistics statistics = session.statistics();
     if (startup) *startup = statistics.startup;
     const double taken = double(statistics.samples) / scene.image.width / scene.image.height;
@@ -94,10 +97,12 @@ Shot shoot(const device::Device &device, const scene::Scene &scene, const Mode &
 }
 
 Reference make_reference(const device::Device &device, const scene::Scene &scene, std::uint32_t spp, int renders,
-                         std::uint32_t first_seed) {
+                         std::uint32_t first_seed, Pace &pace) {
     std::vector<compare::Estimate> pictures;
-    for (int i = 0; i < renders; ++i)
+    for (int i = 0; i < renders; ++i) {
+        pace.next(fmt::format("reference, seed {} of {}", i + 1, renders), spp);
         pictures.push_back(shoot(device, scene, modes().front(), spp, first_seed + std::uint32_t(i), 0).picture);
+    }
     return reference_of(pictures);
 }
 

@@ -2,6 +2,7 @@
 #include "compare/estimate.h"
 #include "device/context.h"
 #include "error_time/modes.h"
+#include "error_time/pace.h"
 #include <array>
 
 namespace nacre::bench {
@@ -45,12 +46,12 @@ double noise_of(const compare::Estimate &picture);
 /// another, smallest first.
 void take_slopes(std::vector<Shot> &shots, std::size_t budgets, double Shot::*clock);
 
-/// Renders. Every call makes a session of its own. `error`: Setup::error.
+/// Renders. Every call makes a session of its own. `error`: Setup::error. Throws Interrupted.
 Shot shoot(const device::Device &device, const scene::Scene &scene, const Mode &mode, std::uint32_t spp,
            std::uint32_t seed, double error, render::Startup *startup = nullptr);
 
-/// `renders` pictures in the default mode, their seeds not below `first_seed`.
+/// `renders` pictures in the default mode, their seeds not below `first_seed`. Throws Interrupted.
 Reference make_reference(const device::Device &device, const scene::Scene &scene, std::uint32_t spp, int renders,
-                         std::uint32_t first_seed);
+                         std::uint32_t first_seed, Pace &pace);
 
 } // namespace nacre::bench

@@ -9,13 +9,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-std::string duration(double seconds) {
-    if (seconds < 60) return fmt::format("{:.0f} s", seconds);
-    const int minutes = int(seconds / 60);
-    if (minutes < 60) return fmt::format("{} min {:.0f} s", minutes, seconds - 60 * minutes);
-    return fmt::format("{} h {} min", minutes / 60, minutes % 60);
-}
-
 /// What ends the render first says how far it is: samples or time.
 double share_of(const render::Progress &p) {
     const double samples = double(p.samples) / double(std::max<std::uint64_t>(1, p.wanted));
@@ -33,7 +26,15 @@ std::string describe(const render::Progress &p) {
 
 } // namespace
 
-ProgressBar::ProgressBar(bool quiet) : terminal(isatty(STDERR_FILENO)), quiet(quiet) {}
+std::string duration(double seconds) {
+    if (seconds < 60) return fmt::format("{:.0f} s", seconds);
+    const int minutes = int(seconds / 60);
+    if (minutes < 60) return fmt::format("{} min {:.0f} s", minutes, seconds - 60 * minutes);
+    return fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+ProgressBar::ProgressBar(bool quiet, std::string program)
+    : terminal(isatty(STDERR_FILENO)), quiet(quiet), program(std::move(program)) {}
 
 bool ProgressBar::due() {
     const auto now = std::chrono::steady_clock::now();
@@ -45,7 +46,7 @@ bool ProgressBar::due() {
 void ProgressBar::draw(double share, const std::string &text) {
     drawn = true;
     if (!terminal) {
-        fmt::print(stderr, "nacre: {}\n", text);
+        fmt::print(stderr, "{}: {}\n", program, text);
         return;
     }
     const int cells = 24, full = int(cells * share);
