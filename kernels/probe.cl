@@ -231,7 +231,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_infini
     walk.anisotropy = triple(probe.anisotropy);
     walk.bleed = probe.bleed;
     walk.reciprocal = (mask)probe.reciprocal;
-    walk_begin(&walk, walk_start(scene, (float3)(1.0f), 0.5f));
+    walk_begin(&walk, walk_start(scene, (float3)(1.0f), (float3)(1.0f), 0.5f));
     GuideLanes guide;
     const LaneSampler sampler = {probe.seed, i, 0u};
     while (walk.steps < probe.cap) {
@@ -285,7 +285,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
         walk.anisotropy.z = probe.walk_anisotropy.z;
         walk.bleed = probe.bleed;
         walk.reciprocal = (mask)probe.reciprocal;
-        walk_begin(&walk, walk_start(scene, (float3)(1.0f), first.x));
+        walk_begin(&walk, walk_start(scene, (float3)(1.0f), (float3)(1.0f), first.x));
         GuideLanes guide;
         if (GUIDED) probe_guide(probe, modes, &guide);
         const LaneSampler lane = {sampler.key, sampler.sample, sampler.vertex};

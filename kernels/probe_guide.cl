@@ -21,7 +21,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_turn(
     walk.anisotropy = triple(place.w);
     walk.bleed = 0.0f;
     walk.reciprocal = 0;
-    const WalkStart start = walk_start(scene, (float3)(1.0f), 0.5f);
+    const WalkStart start = walk_start(scene, (float3)(1.0f), (float3)(1.0f), 0.5f);
     walk_begin(&walk, start);
     walk.steps = 1u;
     GuideLanes guide;

@@ -82,7 +82,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_lane_w
     const real xi = lane_unit(lane_hash(x, zero, zero, zero).x);
     walk.steps = zero;
     for (uint l = 0u; l < LANES; ++l) { // as lane_load does it: each lane has its own start
-        const WalkStart start = walk_start(scene, (float3)(1.0f), LANE_FLOAT(xi, l));
+        const WalkStart start = walk_start(scene, (float3)(1.0f), (float3)(1.0f), LANE_FLOAT(xi, l));
         LANE_FLOAT(walk.weight.x, l) = start.weight.x;
         LANE_FLOAT(walk.weight.y, l) = start.weight.y;
         LANE_FLOAT(walk.weight.z, l) = start.weight.z;

@@ -19,7 +19,7 @@ void path_below(const Scene *scene, Path *path, const Surface *surface) {
 // open mesh that side is outside: the walk leaves at once, and the sheet shows the light of its other side.
 void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *surface, Counts *counts) {
     global const Material *material = scene->materials + scene->objects[surface->object].material;
-    medium_at(scene, material, surface->uv, path);
+    const float3 shown = medium_at(scene, material, surface->uv, path);
     const float2 entry = draw_pair(sampler, DRAW_ENTRY), first = draw_pair(sampler, DRAW_FIRST);
     if (HAS(INTERFACE) && material->entry == ENTRY_REFRACTED) {
         path->direction.xyz = interface_enter(scene, material, surface, path, sampler);
@@ -41,7 +41,7 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
         color = path->throughput.xyz * (1.0f / heaviest);
         path->throughput.xyz = (float3)(heaviest);
     }
-    const WalkStart start = walk_start(scene, color, first.x);
+    const WalkStart start = walk_start(scene, color, shown, first.x);
     path->weight.xyz = start.weight;
     path->share.xyz = start.share;
     path->channel = start.channel;

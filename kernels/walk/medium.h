@@ -51,8 +51,8 @@ float3 medium_albedo(const Scene *scene, global const Material *material, float3
     return material->albedo_source == ALBEDO_FIXED ? material->albedo.xyz : clamp(color, 0.0f, 1.0f);
 }
 
-// Fills the medium of a path that enters at `uv`. Textures are read here, once per walk.
-void medium_at(const Scene *scene, global const Material *material, float2 uv, Path *path) {
+// Fills the medium of a path that enters at `uv`, and returns the colour that it shows. Textures are read here, once per walk.
+float3 medium_at(const Scene *scene, global const Material *material, float2 uv, Path *path) {
     path->anisotropy.xyz = (float3)(0.0f);
     if (HAS(ANISOTROPY_RGB))
         path->anisotropy.xyz = material_color(scene, material, PARAMETER_subsurface_scatter_anisotropy, uv);
@@ -69,6 +69,7 @@ void medium_at(const Scene *scene, global const Material *material, float2 uv, P
     path->albedo.xyz = medium_albedo(scene, material, color, path->anisotropy.xyz, path->bleed);
     path->flight = (uint)material->flight;
     path->max_depth = material->max_depth;
+    return color;
 }
 
 #endif

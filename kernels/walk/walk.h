@@ -65,13 +65,22 @@ typedef struct {
     uint channel;
 } WalkStart;
 
+// What a dark channel's share in the draws has of a bright one's. Weights stay below 10: (2 + 3 x .3) / .3.
+#define WALK_LEAST_SHARE 0.3f
+
 // `color`: what the path brings back through each channel so far, the largest 1. Channels draw in proportion to it, and weights
-// begin with it, so that those of one walk after the other do not multiply: by balance, their sum stays what it is at the entry.
-WalkStart walk_start(const Scene *scene, float3 color, float xi) {
+// begin with it. `shown`: what the medium returns in each channel, about. With hero sampling, where a walk is the drawn channel's
+// to its end, channels draw in proportion to that, too: in the bear relative variance is .75 times as much, in skin .95 times.
+// Weights of one walk after the other do not multiply: by balance, each times its channel's factor, their sum stays what it is
+// at the entry.
+WalkStart walk_start(const Scene *scene, float3 color, float3 shown, float xi) {
     WalkStart start;
-    const float sum = color.x + color.y + color.z;
+    const float brightest = fmax(shown.x, fmax(shown.y, shown.z));
+    const bool hero = scene->frame->channel_sampling == CHANNEL_HERO && brightest > 0.0f;
+    const float3 likely = hero ? color * (shown * (1.0f / brightest) + WALK_LEAST_SHARE) : color;
+    const float sum = likely.x + likely.y + likely.z;
     start.weight = color;
-    start.share = color * (1.0f / sum);
+    start.share = likely * (1.0f / sum);
     const bool second = xi < start.share.x + start.share.y || !(start.share.z > 0.0f); // else shares that round to less than 1
     start.channel = xi < start.share.x ? 0u : second ? 1u : 2u;
     if (scene->frame->channel_sampling == CHANNEL_SINGLE) {

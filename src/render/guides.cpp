@@ -128,8 +128,8 @@ constexpr double most_lost = .42;
 /// 1, 1.3 and more from 2 on.
 constexpr double least_curved_folds = 1;
 
-/// The more forward a medium scatters, the more directions does a guide refuse: at g = .95 a guided walk takes 1.3 times
-/// as long, and through the memo's head it is .79 times as good (.97 at .8). Flat bodies gain there, too.
+/// The more forward a medium scatters, the more directions does a guide refuse: at g = .95 a guided walk takes 1.3
+/// times as long, and through the memo's head it is .79 times as good (.97 at .8). Flat bodies gain there, too.
 constexpr double most_forward = .9;
 
 /// Media that show less colour than this end walks before a guide could: half-spaces of .02 are .85 times as good (g
