@@ -1,5 +1,5 @@
 // The vocabulary of every struct that crosses to the device: float, uint, int, float4, uint4 and nothing else
-// (a float3 is 16 bytes in OpenCL C, bool has no fixed size). Included by the host and by the kernels.
+// (a vector of three is 16 bytes in OpenCL C, bool has no fixed size). Included by the host and by the kernels.
 #ifndef NACRE_SHARED_TYPES_H
 #define NACRE_SHARED_TYPES_H
 

@@ -51,7 +51,7 @@ float3 medium_albedo(const Scene *scene, global const Material *material, float3
     return material->albedo_source == ALBEDO_FIXED ? material->albedo.xyz : clamp(color, 0.0f, 1.0f);
 }
 
-// Fills the medium of a path that enters at `uv`, and returns the colour that it shows. Textures are read here, once per walk.
+// Fills the medium of a path that enters at `uv`, and returns the colour that it shows, in [0, 1]. Textures are read here, once per walk.
 float3 medium_at(const Scene *scene, global const Material *material, float2 uv, Path *path) {
     path->anisotropy.xyz = (float3)(0.0f);
     if (HAS(ANISOTROPY_RGB))
@@ -69,7 +69,7 @@ float3 medium_at(const Scene *scene, global const Material *material, float2 uv,
     path->albedo.xyz = medium_albedo(scene, material, color, path->anisotropy.xyz, path->bleed);
     path->flight = (uint)material->flight;
     path->max_depth = material->max_depth;
-    return color;
+    return clamp(color, 0.0f, 1.0f);
 }
 
 #endif
