@@ -35,7 +35,7 @@ probe_closest(global const float4 *rays, global uint4 *hits, global const float 
     RayStream stream;
     for (uint i = begin; i < end; i += STREAM_RAYS) {
         const uint part = load_stream(&stream, rays, i, end, root);
-        trace_stream(&stream, first_bits(part), nodes, blocks, false);
+        trace_stream(&stream, first_bits(part), nodes, blocks, MEET_CLOSEST);
         for (uint k = 0; k < part; k++) {
             const Hit hit = stream_hit(&stream, blocks, k);
             hits[i + k] = (uint4)(as_uint(hit.t), hit.primitive, hit.block, hit.slot);
@@ -51,7 +51,7 @@ probe_any(global const float4 *rays, global uint *hits, global const float *node
     RayStream stream;
     for (uint i = begin; i < end; i += STREAM_RAYS) {
         const uint part = load_stream(&stream, rays, i, end, root);
-        trace_stream(&stream, first_bits(part), nodes, blocks, true);
+        trace_stream(&stream, first_bits(part), nodes, blocks, MEET_ANY);
         for (uint k = 0; k < part; k++) hits[i + k] = stream.block[k] != BVH_NO_PRIMITIVE;
     }
 }

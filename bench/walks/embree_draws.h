@@ -39,8 +39,8 @@ struct Sampler {
     std::uint32_t key, sample, vertex;
 };
 
-inline Sampler sampler_of(std::uint32_t pixel, std::uint32_t sample, std::uint32_t vertex) {
-    return {random_hash({0, pixel, 0x85ebca6bu, 0xc2b2ae35u}).x, sample, vertex};
+inline std::uint32_t sampler_key(std::uint32_t pixel) {
+    return random_hash({0, pixel, 0x85ebca6bu, 0xc2b2ae35u}).x;
 }
 
 inline std::uint32_t reverse_bits(std::uint32_t x) {

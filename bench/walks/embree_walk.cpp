@@ -53,7 +53,7 @@ class Walker {
     }
 
     template <bool Anisotropic> std::uint64_t walk(const Path &path, shared::float4 &radiance) {
-        const Sampler sampler = sampler_of(path.pixel, path.sample, path.vertex);
+        const Sampler sampler{path.key, path.sample, path.vertex};
         const Four sigma = load(path.sigma), albedo = load(path.albedo);
         const float free_path = 1 / sigma[path.channel];
         weight = load(path.weight);

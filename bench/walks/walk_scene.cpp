@@ -4,6 +4,7 @@
 #include "render/convert.h"
 #include "scene/bounds.h"
 #include "scene/normalise.h"
+#include "walks/embree_draws.h"
 #include <cmath>
 
 namespace nacre::bench {
@@ -72,6 +73,7 @@ std::vector<Path> walk_entries(const scene::Scene &scene, std::span<const accel:
         path.slot = uint(i);
         path.pixel = uint(i) / samples_per_pixel;
         path.sample = uint(i) % samples_per_pixel;
+        path.key = sampler_key(path.pixel);
         path.vertex = path.hits = path.depth = 1;
         path.state = PATH_WALK;
         path.flight = material.flight;

@@ -42,7 +42,7 @@ bool probe_crosses(bool closed, bool front, int *depth) {
 }
 
 // Draws a crossing of `line` in proportion to the light it brings. Returns false where there is none.
-bool probe_surface(const Scene *scene, const Path *path, Sampler sampler, const ProbeProfiles *profiles,
+bool probe_surface(const Scene *scene, const PATH_SPACE Path *path, Sampler sampler, const ProbeProfiles *profiles,
                    const ProbeFrame *frame, ProbeLine line, Crossing *crossing, Counts *counts) {
     global const Object *object = scene->objects + path->object;
     const float3 entry = path->position.xyz, along = probe_world(frame, line.along);
@@ -77,7 +77,7 @@ bool probe_surface(const Scene *scene, const Path *path, Sampler sampler, const 
 }
 
 // Multiple scattering, times `scale`.
-Shadow probe_leave(const Scene *scene, Path *path, int model, Sampler sampler, float xi_channel, float scale,
+Shadow probe_leave(const Scene *scene, PATH_SPACE Path *path, int model, Sampler sampler, float xi_channel, float scale,
                    Counts *counts) {
     const float3 light = path->throughput.xyz * path->share.xyz;
     const float3 g = path->anisotropy.xyz;
@@ -103,8 +103,8 @@ Shadow probe_leave(const Scene *scene, Path *path, int model, Sampler sampler, f
 
 // Brings a path of state PATH_PROBE back to the surface, or to its end. Returns the direct light of its exit that is yet to be
 // asked for.
-Shadow diffusion_leave(const Scene *scene, Path *path, Counts *counts) {
-    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+Shadow diffusion_leave(const Scene *scene, PATH_SPACE Path *path, Counts *counts) {
+    const Sampler sampler = path_sampler(path);
     const int model = scene->materials[scene->objects[path->object].material].model;
     const float chance = straight_chance(model, path->weight.xyz, path->share.xyz);
     const float xi = draw_pair(sampler, DRAW_FIRST).x;

@@ -37,7 +37,7 @@ Lobes lobes_of(int model, float value, bool direct, float walk_albedo, float g) 
 }
 
 // Takes the path below `surface`. Kept until it leaves: albedo, the multiple lobe in `share`, the inward normal in `direction`.
-void diffusion_enter(const Scene *scene, Path *path, global const Material *material, const Surface *surface,
+void diffusion_enter(const Scene *scene, PATH_SPACE Path *path, global const Material *material, const Surface *surface,
                      Counts *counts) {
     medium_at(scene, material, surface->uv, path);
     const float3 value = clamp(material_color(scene, material, PARAMETER_subsurface_color, surface->uv), 0.0f, 1.0f);

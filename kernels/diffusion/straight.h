@@ -11,12 +11,13 @@ float3 beer(float3 sigma, float distance) {
 }
 
 // Where a flight of `distance` leaves its object; else block is BVH_NO_PRIMITIVE. Rays as in turn_rays.
-Hit straight_hit(const Scene *scene, const Path *path, Ray ray, float rounding, uint *depth, Counts *counts) {
+Hit straight_hit(const Scene *scene, const PATH_SPACE Path *path, Ray ray, uint *depth, Counts *counts) {
     const uint root = scene->objects[path->object].walk_root;
     for (;;) {
         counts->value[COUNTER_walk_rays] += 1u;
-        const Hit hit = trace_closest(ray, scene->nodes, scene->blocks, root AND_PROFILED(counts->profile + PROFILE_walk_nodes));
-        if (hit.block == BVH_NO_PRIMITIVE || boundary_leaves(scene, hit, ray.direction, rounding, depth)) return hit;
+        const Hit hit = trace_hit(ray, scene->nodes, scene->blocks, root,
+                                  MEET_FLIGHT AND_PROFILED(counts->profile + PROFILE_walk_nodes));
+        if (hit.block == BVH_NO_PRIMITIVE || boundary_leaves(scene, hit, ray.direction, depth)) return hit;
         ray.t_min = hit.t;
     }
 }
@@ -34,7 +35,7 @@ float3 phase_densities(float3 g, float3 from, float3 to) {
 }
 
 // Takes the path into the medium and out of it, times `scale`. Returns the direct light of its exit.
-Shadow straight_walk(const Scene *scene, Path *path, Sampler sampler, uint channel, float scale, Counts *counts) {
+Shadow straight_walk(const Scene *scene, PATH_SPACE Path *path, Sampler sampler, uint channel, float scale, Counts *counts) {
     const float3 sigma = path->sigma.xyz;
     const float beyond = turn_beyond(scene);
     float3 position = path->position.xyz;
@@ -50,7 +51,7 @@ Shadow straight_walk(const Scene *scene, Path *path, Sampler sampler, uint chann
         distance = flight == 0u ? fmin(distance, beyond) : beyond;
         Ray ray = path_ray(position - rounding * direction, direction);
         ray.t_max = distance + 2.0f * rounding;
-        const Hit hit = straight_hit(scene, path, ray, rounding, &depth, counts);
+        const Hit hit = straight_hit(scene, path, ray, &depth, counts);
         const bool left = hit.block != BVH_NO_PRIMITIVE;
         if (left) distance = fmax(0.0f, hit.t - rounding);
         float3 density = beer(sigma, distance);

@@ -23,6 +23,11 @@ float tree_extent(global const float *nodes, uint root) {
     return (root & BVH_LEAF_BIT) ? 0.0f : nodes[row * BVH_WIDTH];
 }
 
+// What a ray asks for.
+#define MEET_CLOSEST 0
+#define MEET_ANY 1    // is anything in the way?
+#define MEET_FLIGHT 2 // the closest, but for the ground that it starts from, see ground_below
+
 // False for what cannot hit anything and would make the boxes' arithmetic meaningless: NaN, infinity, a zero direction.
 bool is_traceable(float3 origin, float3 direction) {
     const float3 o = fabs(origin), d = fabs(direction);
@@ -94,15 +99,39 @@ ALWAYS_INLINE void take_hits(global const float *blocks, uint block, uint slot, 
     }
 }
 
+// Those of a block's hits that a flight enters its object by where it stands already, as far as rounding can tell: that of its
+// start, and that of the test, which is in proportion to the triangle (see hit_point). So a walk starts on the surface itself,
+// not below it, however dense the medium.
+ALWAYS_INLINE uint ground_below(global const float *blocks, uint block, uint slot, uint bits, const float *distance,
+                                const float *area, float3 origin, float3 direction) {
+    const float rounding = POSITION_ROUNDING * fmax(fabs(origin.x), fmax(fabs(origin.y), fabs(origin.z)));
+    uint ground = 0u;
+    for (; bits != 0u; bits &= bits - 1u) {
+        const uint i = lowest_bit(bits);
+        const float3 v0 = triangle_vertex(blocks, block, slot + i, 0u);
+        const float3 e1 = triangle_vertex(blocks, block, slot + i, 1u) - v0;
+        const float3 e2 = triangle_vertex(blocks, block, slot + i, 2u) - v0;
+        const float3 normal = cross(e1, e2), size = fmax(fabs(e1), fabs(e2));
+        const float cosine = dot(normal, direction), t = distance[i] / area[i];
+        const float blur = 3.0f * rounding + 1e-6f * fmax(size.x, fmax(size.y, size.z));
+        if (cosine < 0.0f && -cosine * t <= blur * length(normal)) ground |= bits & (0u - bits);
+    }
+    return ground;
+}
+
 // Hits of a leaf that are closer than hit->t. True as soon as there is one, if any will do.
-ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float t_min, bool any, Hit *hit) {
+ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uint leaf, float3 origin, float3 direction,
+                             float t_min, int meet, Hit *hit) {
     const uint first = leaf & BVH_LEAF_FIRST_MASK, end = first + leaf_blocks(leaf);
     for (uint block = first; block < end; block++) {
         global const float *rows = blocks + (size_t)block * (BVH_BLOCK_ROWS * BVH_WIDTH);
         for (uint slot = 0; slot < BVH_WIDTH; slot += ROW_SIZE) {
             Row distance, area;
-            const uint bits = triangles_hit(shear, rows + slot, t_min, hit->t, &distance, &area);
-            if (any && bits != 0u) {
+            uint bits = triangles_hit(shear, rows + slot, t_min, hit->t, &distance, &area);
+            if (meet == MEET_FLIGHT && bits != 0u)
+                bits &= ~ground_below(blocks, block, slot, bits, (const float *)&distance, (const float *)&area, origin,
+                                      direction);
+            if (meet == MEET_ANY && bits != 0u) {
                 hit->block = block;
                 return true;
             }
@@ -112,11 +141,11 @@ ALWAYS_INLINE bool meet_leaf(const Shear *shear, global const float *blocks, uin
     return false;
 }
 
-// Walks the tree at `root`: the closest hit, or with `any` the block of some hit; a miss has block = BVH_NO_PRIMITIVE.
+// Walks the tree at `root` for the hit that `meet` asks for, of MEET_ANY its block alone; a miss has block = BVH_NO_PRIMITIVE.
 // With PROFILE the nodes and the blocks visited are added to visits[0] and [1].
 // The ray comes in pieces because a struct would come through memory, which cost up to 30 % of a ray (PoCL 3.1).
 Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global const float *nodes,
-             global const float *blocks, uint root, bool any AND_PROFILED(uint *visits)) {
+             global const float *blocks, uint root, int meet AND_PROFILED(uint *visits)) {
     Hit hit;
     hit.t = t_max;
     hit.block = hit.slot = hit.primitive = BVH_NO_PRIMITIVE;
@@ -135,7 +164,7 @@ Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global c
                                  stack_t, &size);
         }
         PROFILED(visits[1] += current != BVH_NO_CHILD ? leaf_blocks(current) : 0u;)
-        if (current != BVH_NO_CHILD && meet_leaf(&shear, blocks, current, t_min, any, &hit)) return hit;
+        if (current != BVH_NO_CHILD && meet_leaf(&shear, blocks, current, origin, direction, t_min, meet, &hit)) return hit;
         do {
             if (size == 0u) return hit;
             size--;
@@ -144,16 +173,21 @@ Hit traverse(float3 origin, float3 direction, float t_min, float t_max, global c
     }
 }
 
-Hit trace_closest(Ray ray, global const float *nodes, global const float *blocks, uint root AND_PROFILED(uint *visits)) {
-    Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, false AND_PROFILED(visits));
+Hit trace_hit(Ray ray, global const float *nodes, global const float *blocks, uint root, int meet
+              AND_PROFILED(uint *visits)) {
+    Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, meet AND_PROFILED(visits));
     if (hit.block == BVH_NO_PRIMITIVE) return hit;
     hit.primitive = block_primitive(blocks, hit.block, hit.slot);
     return hit;
 }
 
+Hit trace_closest(Ray ray, global const float *nodes, global const float *blocks, uint root AND_PROFILED(uint *visits)) {
+    return trace_hit(ray, nodes, blocks, root, MEET_CLOSEST AND_PROFILED(visits));
+}
+
 // 1: something is in the way.
 int trace_any(Ray ray, global const float *nodes, global const float *blocks, uint root AND_PROFILED(uint *visits)) {
-    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, true AND_PROFILED(visits));
+    const Hit hit = traverse(ray.origin, ray.direction, ray.t_min, ray.t_max, nodes, blocks, root, MEET_ANY AND_PROFILED(visits));
     return hit.block != BVH_NO_PRIMITIVE;
 }
 

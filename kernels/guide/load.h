@@ -33,7 +33,7 @@ void mode_load(ModeLanes *lanes, uint l, global const GuideMode *mode, float g) 
 // Under bleed the modes are poor guides, whose steps' weights multiply.
 float guide_share(float share, float bleed) { return share / (1.0f + 0.2f * bleed); }
 
-void guide_load(const Scene *scene, GuideLanes *guide, uint l, const Path *path) {
+void guide_load(const Scene *scene, GuideLanes *guide, uint l, const PATH_SPACE Path *path) {
     global const Material *material = scene->materials + scene->objects[path->object].material;
     LANE_FLOAT(guide->outward.x, l) = path->outward.x;
     LANE_FLOAT(guide->outward.y, l) = path->outward.y;
@@ -60,7 +60,7 @@ float guide_far_light(global const LightSides *sides, float3 outward) {
 }
 
 // The slab that a walk begins in, from below `surface`.
-void guide_begin(const Scene *scene, Path *path, const Surface *surface) {
+void guide_begin(const Scene *scene, PATH_SPACE Path *path, const Surface *surface) {
     path->outward = (float4)(surface->geometric, dot(surface->geometric, surface->position));
     path->thickness = scene->thickness[surface->primitive];
     path->tries = 0u;

@@ -27,14 +27,12 @@ float3 side_light_met(const Scene *scene, Ray ray, float3 normal, float density)
 
 // Luminance of the direct light on point i, irradiance over pi.
 float side_light(const Scene *scene, uint i, float3 position, float3 normal) {
-    Path path;
-    path.throughput = (float4)(1.0f);
     const float3 error = (float3)(GUIDE_PROBE_START);
     PROFILED(uint visits[2]; visits[0] = visits[1] = 0u;)
     float sum = 0.0f;
     for (uint sample = 0; sample < SIDE_SAMPLES; sample++) {
         const Sampler sampler = sampler_of(SIDE_SEED, i, sample, 0u);
-        const Shadow shadow = light_lambert(scene, &path, sampler, position, error, normal, normal);
+        const Shadow shadow = light_lambert(scene, (float3)(1.0f), sampler, position, error, normal, normal);
         if (shadow_asked(&shadow) &&
             !trace_any(shadow.ray, scene->nodes, scene->blocks, scene->frame->bvh_root AND_PROFILED(visits)))
             sum += luminance(shadow.light);

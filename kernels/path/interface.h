@@ -20,7 +20,7 @@
 #include "random/sampler.h"
 
 // Direction of the entry of a path that meets `surface`, which faces it.
-float3 interface_enter(const Scene *scene, global const Material *material, const Surface *surface, const Path *path,
+float3 interface_enter(const Scene *scene, global const Material *material, const Surface *surface, const PATH_SPACE Path *path,
                        Sampler sampler) {
     const float3 view = -path->direction.xyz;
     const float alpha = microfacet_alpha(material_number(scene, material, PARAMETER_specular_roughness, surface->uv));
@@ -31,13 +31,13 @@ float3 interface_enter(const Scene *scene, global const Material *material, cons
 
 // Turns a walk that flew along `direction` to the surface of its object back inside, or lets it out (false). The walk's next
 // flight begins at the surface, as its first did. It needs numbers of its own: the draws of an entry are free at this vertex.
-bool interface_holds(const Scene *scene, const Surface *surface, float3 direction, Path *path) {
+bool interface_holds(const Scene *scene, const Surface *surface, float3 direction, PATH_SPACE Path *path) {
     global const Material *material = scene->materials + scene->objects[surface->object].material;
     if (material->internal_reflection == 0) return false;
     const float eta = material_number(scene, material, PARAMETER_specular_ior, surface->uv);
     const float weight = material_number(scene, material, PARAMETER_specular_weight, surface->uv);
     const float cosine = clamp(dot(direction, surface->geometric), 0.0f, 1.0f);
-    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+    const Sampler sampler = path_sampler(path);
     if (draw_pair(sampler, DRAW_LOBE).x >= fresnel_inside(cosine, eta, weighted_ior(eta, weight))) return false;
     path->position.xyz = surface->position;
     path->direction.xyz = unfold(direction, surface->geometric);

@@ -16,7 +16,7 @@ float light_share(const LightSample *sample, float pdf) {
 }
 
 // Direct light on a Lambertian vertex (albedo in the throughput).
-Shadow light_lambert(const Scene *scene, const Path *path, Sampler sampler, float3 position, float3 error, float3 shading,
+Shadow light_lambert(const Scene *scene, float3 throughput, Sampler sampler, float3 position, float3 error, float3 shading,
                      float3 geometric) {
     LightSample sample;
     const Receiver receiver = receiver_at(position, geometric);
@@ -24,7 +24,7 @@ Shadow light_lambert(const Scene *scene, const Path *path, Sampler sampler, floa
     const float pdf = lambert_pdf(sample.direction, shading, geometric);
     if (!(pdf > 0.0f)) return no_shadow();
     return shadow_of(position, error, geometric, &sample,
-                     path->throughput.xyz * sample.radiance * (pdf * light_share(&sample, pdf)));
+                     throughput * sample.radiance * (pdf * light_share(&sample, pdf)));
 }
 
 #endif

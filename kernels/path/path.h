@@ -26,31 +26,30 @@ bool pixel_at(const Scene *scene, uint index, uint *x, uint *y) {
     return cx < frame->crop_width && cy < frame->crop_height;
 }
 
-Path path_begin(const Scene *scene, uint x, uint y, uint sample, uint slot) {
-    Path path;
-    path.slot = slot;
-    path.pixel = y * scene->frame->width + x;
-    path.sample = sample;
-    path.vertex = path.hits = 0u;
-    path.state = PATH_RAY;
-    path.throughput = (float4)(1.0f);
-    path.radiance = (float4)(0.0f);
-    path.weight = (float4)(0.0f);
-    path.share = (float4)(0.0f);
-    path.sigma = (float4)(0.0f);
-    path.albedo = (float4)(0.0f);
-    path.anisotropy = (float4)(0.0f);
-    path.outward = (float4)(0.0f);
-    path.bleed = path.first_number = path.thickness = path.far_light = 0.0f;
-    path.object = path.flight = path.max_depth = path.channel = path.steps = path.depth = path.tries = 0u;
-    path.scatters = path.pad[0] = path.pad[1] = 0u; // all of it: a suspended path is copied whole
-    const Sampler sampler = sampler_of(scene->frame->seed, path.pixel, sample, 0u);
+void path_begin(const Scene *scene, PATH_SPACE Path *path, uint x, uint y, uint sample, uint slot) {
+    path->slot = slot;
+    path->pixel = y * scene->frame->width + x;
+    path->sample = sample;
+    path->vertex = path->hits = 0u;
+    path->state = PATH_RAY;
+    path->throughput = (float4)(1.0f);
+    path->radiance = (float4)(0.0f);
+    path->weight = (float4)(0.0f);
+    path->share = (float4)(0.0f);
+    path->sigma = (float4)(0.0f);
+    path->albedo = (float4)(0.0f);
+    path->anisotropy = (float4)(0.0f);
+    path->outward = (float4)(0.0f);
+    path->bleed = path->first_number = path->thickness = path->far_light = 0.0f;
+    path->object = path->flight = path->max_depth = path->channel = path->steps = path->depth = path->tries = 0u;
+    path->scatters = path->pad = 0u; // all of it: a suspended path is copied whole
+    path->key = sampler_key(scene->frame->seed, path->pixel, sample);
+    const Sampler sampler = path_sampler(path);
     const float2 lens = HAS(LENS) ? draw_pair(sampler, DRAW_LENS) : (float2)(0.0f);
     float3 origin, direction;
     camera_ray(scene, x, y, draw_pair(sampler, DRAW_PIXEL), lens, &origin, &direction);
-    path.position = (float4)(origin, 0.0f);
-    path.direction = (float4)(direction, -1.0f);
-    return path;
+    path->position = (float4)(origin, 0.0f);
+    path->direction = (float4)(direction, -1.0f);
 }
 
 // What lies below the reflecting layer: its colour; w: how much of it is a medium.
@@ -90,7 +89,7 @@ bool specular_at(const Scene *scene, global const Material *material, const Surf
 // largest channel of `reflected`, so that no weight grows; more at the first surface, if the variance against the colour
 // that shows is less then, supposing that both lead to the same light: a dark channel's highlights, which are most of
 // its light, are not left to rare paths.
-float reflection_chance(const Path *path, float3 reflected, float let_through, float4 base) {
+float reflection_chance(const PATH_SPACE Path *path, float3 reflected, float let_through, float4 base) {
     const float least = fmin(1.0f, largest3(reflected));
     if (path->hits > 1u || !(least > 0.0f)) return least;
     const float3 returned = let_through * base.xyz, shown = reflected + returned + PATH_LEAST_COLOR;
@@ -102,7 +101,7 @@ float reflection_chance(const Path *path, float3 reflected, float let_through, f
 }
 
 // Reflects the path, or lets it through to the base, see base_at, with what is left for that. xi in (0, 1) decides.
-bool path_reflect(Path *path, const Specular *specular, float4 below, float2 xi_microfacet, float xi) {
+bool path_reflect(PATH_SPACE Path *path, const Specular *specular, float4 below, float2 xi_microfacet, float xi) {
     float3 direction;
     float base;
     const float3 r = specular_sample(specular, xi_microfacet, &direction, &base);
@@ -117,9 +116,9 @@ bool path_reflect(Path *path, const Specular *specular, float4 below, float2 xi_
 }
 
 // Draws what happens at a surface: reflection, diffuse scattering, or entry. Returns its direct light.
-Shadow path_scatter(const Scene *scene, Path *path, global const Material *material, const Surface *surface, float3 view,
+Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Material *material, const Surface *surface, float3 view,
                   Counts *counts) {
-    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+    const Sampler sampler = path_sampler(path);
     const float2 lobe = draw_pair(sampler, DRAW_LOBE);
     LightSample sample;
     const Receiver receiver = receiver_at(surface->position, surface->geometric);
@@ -165,7 +164,7 @@ Shadow path_scatter(const Scene *scene, Path *path, global const Material *mater
 }
 
 // Ends paths of little throughput, without bias.
-void path_roulette(const Scene *scene, Path *path, Counts *counts) {
+void path_roulette(const Scene *scene, PATH_SPACE Path *path, Counts *counts) {
     const float heaviest = largest3(path->throughput.xyz);
     if (!isfinite(path->throughput.x + path->throughput.y + path->throughput.z)) {
         path->radiance.xyz = path->throughput.xyz; // it will be counted; going on might never end
@@ -174,7 +173,7 @@ void path_roulette(const Scene *scene, Path *path, Counts *counts) {
     }
     if (path->hits < PATH_ROULETTE_START && heaviest > 0.0f) return;
     if (heaviest >= 1.0f) return;
-    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+    const Sampler sampler = path_sampler(path);
     if (draw_pair(sampler, DRAW_ROULETTE).x >= heaviest) {
         path_lose(path, counts, COUNTER_roulette);
         return;
@@ -184,7 +183,7 @@ void path_roulette(const Scene *scene, Path *path, Counts *counts) {
 
 // What the path's ray met: adds the light it found and goes on from there. Returns the direct light of the surface that is yet
 // to be asked for. `layers`: of this path.
-Shadow path_meet(const Scene *scene, Path *path, Hit hit, Counts *counts, global float4 *layers) {
+Shadow path_meet(const Scene *scene, PATH_SPACE Path *path, Hit hit, Counts *counts, global float4 *layers) {
     const Ray ray = path_ray(path->position.xyz, path->direction.xyz);
     counts->value[COUNTER_rays] += 1u;
     const bool camera = path->hits == 0u, missed = hit.block == BVH_NO_PRIMITIVE;

@@ -7,7 +7,7 @@
 // Steps that a ray and its shading cost in the budget of a launch, against one flight of a walk.
 #define PATH_RAY_COST 8u
 
-void single_light(const Scene *scene, Path *path, const Shadow *shadow, Counts *counts) {
+void single_light(const Scene *scene, PATH_SPACE Path *path, const Shadow *shadow, Counts *counts) {
     if (!shadow_asked(shadow)) return;
     counts->value[COUNTER_shadow_rays] += 1u;
     if (!trace_any(shadow->ray, scene->nodes, scene->blocks,
@@ -17,7 +17,7 @@ void single_light(const Scene *scene, Path *path, const Shadow *shadow, Counts *
 
 // Takes up to *budget flights and counts them down. The path is then out, done, or still inside. Returns the direct light of
 // its exit that is yet to be asked for.
-Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts, global float4 *layers) {
+Shadow single_walk(const Scene *scene, PATH_SPACE Path *path, uint *budget, Counts *counts, global float4 *layers) {
     WalkLanes lanes;
     RayStream stream;
     lane_load(scene, &lanes, 0u, path, 0u);
@@ -32,7 +32,7 @@ Shadow single_walk(const Scene *scene, Path *path, uint *budget, Counts *counts,
 }
 
 // Goes on until the path is done or has used up its budget.
-void single_advance(const Scene *scene, Path *path, uint budget, Counts *counts, global float4 *layers) {
+void single_advance(const Scene *scene, PATH_SPACE Path *path, uint budget, Counts *counts, global float4 *layers) {
     while (path->state != PATH_DONE && budget > 0u) {
         Shadow shadow;
         if (path->state == PATH_RAY) {

@@ -28,7 +28,7 @@ global float4 *launch_layers(const Scene *scene, const Launch *launch, uint slot
 }
 
 // Path i of the launch: pixel i / sample_count, sample i % sample_count, or a suspended one. False: beyond the crop's edge.
-bool launch_path(const Scene *scene, const Launch *launch, uint i, Path *path, Counts *counts) {
+bool launch_path(const Scene *scene, const Launch *launch, uint i, PATH_SPACE Path *path, Counts *counts) {
     if (launch->batch.resumed > 0u) {
         *path = launch->resumed[i];
         return true;
@@ -38,20 +38,20 @@ bool launch_path(const Scene *scene, const Launch *launch, uint i, Path *path, C
     LISTED(sample |= launch->tiles[pixel / (TILE * TILE)] & SECOND_HALF;)
     LISTED(pixel = listed_pixel(launch->tiles, pixel);)
     if (!pixel_at(scene, pixel, &x, &y)) return false;
-    *path = path_begin(scene, x, y, sample, i);
+    path_begin(scene, path, x, y, sample, i);
     counts->value[COUNTER_paths] += 1u;
     layers_begin(scene, launch_layers(scene, launch, i));
     return true;
 }
 
 // About how long a path took, in flights of a walk; of its walks, the last. Beside the alpha of its radiance, which is 0 or 1.
-float path_cost(const Path *path) {
+float path_cost(const PATH_SPACE Path *path) {
     const uint cost = LIST_EVENT_COST * (path->vertex + 1u) + path->scatters + path->steps;
     return LIST_COST * (float)min(cost, LIST_MOST_COST);
 }
 
 // The radiance of a path that is done. A sample that is NaN or infinite becomes black; it is counted, and the first remembered.
-void launch_take(const Scene *scene, const Launch *launch, const Path *path, Counts *counts) {
+void launch_take(const Scene *scene, const Launch *launch, const PATH_SPACE Path *path, Counts *counts) {
     float4 radiance = path->radiance;
     LISTED(radiance.w += path_cost(path);)
     if (isfinite(radiance.x + radiance.y + radiance.z)) {
@@ -69,7 +69,7 @@ void launch_take(const Scene *scene, const Launch *launch, const Path *path, Cou
 }
 
 // Keeps a path for the next launch. False: there is no room.
-bool launch_suspend(const Launch *launch, const Path *path) {
+bool launch_suspend(const Launch *launch, const PATH_SPACE Path *path) {
     const uint at = atomic_inc(launch->counters + COUNTER_SUSPENDED);
     if (at >= launch->batch.capacity) return false;
     launch->suspended[at] = *path;

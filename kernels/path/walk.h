@@ -10,14 +10,14 @@
 #include "walk/turn.h"
 
 // The path is to walk, from below `surface`.
-void path_below(const Scene *scene, Path *path, const Surface *surface) {
+void path_below(const Scene *scene, PATH_SPACE Path *path, const Surface *surface) {
     path->state = PATH_WALK;
     if (GUIDED && scene->objects[path->object].guided > 0.0f) guide_begin(scene, path, surface);
 }
 
 // Sends the path into the medium below `surface`, on the inner side of its geometric normal. Where a ray met the back of an
 // open mesh that side is outside: the walk leaves at once, and the sheet shows the light of its other side.
-void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *surface, Counts *counts) {
+void path_enter(const Scene *scene, PATH_SPACE Path *path, Sampler sampler, const Surface *surface, Counts *counts) {
     global const Material *material = scene->materials + scene->objects[surface->object].material;
     const float3 shown = medium_at(scene, material, surface->uv, path);
     const float2 entry = draw_pair(sampler, DRAW_ENTRY), first = draw_pair(sampler, DRAW_FIRST);
@@ -49,11 +49,11 @@ void path_enter(const Scene *scene, Path *path, Sampler sampler, const Surface *
 }
 
 // Out at `position`: lit there with Lambert's response about `shading`, without surface colour.
-Shadow path_exit(const Scene *scene, Path *path, float3 position, float3 error, float3 shading, float3 geometric) {
-    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+Shadow path_exit(const Scene *scene, PATH_SPACE Path *path, float3 position, float3 error, float3 shading, float3 geometric) {
+    const Sampler sampler = path_sampler(path);
     path->throughput.xyz *= path->weight.xyz;
     path->state = PATH_RAY;
-    const Shadow shadow = light_lambert(scene, path, sampler, position, error, shading, geometric);
+    const Shadow shadow = light_lambert(scene, path->throughput.xyz, sampler, position, error, shading, geometric);
     path->direction.xyz = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), shading, geometric);
     path->direction.w = lambert_pdf(path->direction.xyz, shading, geometric);
     path->position.xyz = offset_point(position, error, geometric, path->direction.xyz);
@@ -62,13 +62,13 @@ Shadow path_exit(const Scene *scene, Path *path, float3 position, float3 error, 
     return shadow;
 }
 
-void path_lose(Path *path, Counts *counts, int reason) {
+void path_lose(PATH_SPACE Path *path, Counts *counts, int reason) {
     counts->value[reason] += 1u;
     path->state = PATH_DONE;
 }
 
 // Puts the walk of a path into lane l. `at` is where the path itself is kept.
-void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const Path *path, uint at) {
+void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const PATH_SPACE Path *path, uint at) {
     Walk *walk = &lanes->walk;
     LANE_FLOAT(walk->position.x, l) = path->position.x;
     LANE_FLOAT(walk->position.y, l) = path->position.y;
@@ -98,7 +98,7 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const Path *path, u
     LANE_INT(walk->channel, l) = (int)path->channel;
     LANE_FLOAT(walk->first_number, l) = path->first_number;
     LANE_UINT(walk->steps, l) = path->steps;
-    const Sampler sampler = sampler_of(scene->frame->seed, path->pixel, path->sample, path->vertex);
+    const Sampler sampler = path_sampler(path);
     LANE_UINT(lanes->sampler.key, l) = sampler.key;
     LANE_UINT(lanes->sampler.sample, l) = sampler.sample;
     LANE_UINT(lanes->sampler.vertex, l) = sampler.vertex;
@@ -113,7 +113,7 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const Path *path, u
 }
 
 // Takes what a walk changes back into its path.
-void lane_store(const WalkLanes *lanes, uint l, Path *path) {
+void lane_store(const WalkLanes *lanes, uint l, PATH_SPACE Path *path) {
     const Walk *walk = &lanes->walk;
     path->position.xyz =
         (float3)(LANE_FLOAT(walk->position.x, l), LANE_FLOAT(walk->position.y, l), LANE_FLOAT(walk->position.z, l));
@@ -128,7 +128,7 @@ void lane_store(const WalkLanes *lanes, uint l, Path *path) {
 }
 
 // What became of walk w of a turn, one of those that `ends` names: out, lost, or turned back at the surface. `layers`: of its path.
-Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, Path *path,
+Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, PATH_SPACE Path *path,
                 Counts *counts, global float4 *layers) {
     const Walks bit = (Walks)1 << w;
     lane_store(GROUP(groups, w / LANES), w % LANES, path);

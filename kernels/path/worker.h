@@ -34,7 +34,7 @@ void worker_light(const Scene *scene, Worker *worker, Counts *counts) {
     if (worker->shadow_count == 0u) return;
     counts->value[COUNTER_shadow_rays] += worker->shadow_count;
     trace_stream(&worker->shadows, first_bits(worker->shadow_count), scene->nodes, scene->blocks,
-                 true AND_PROFILED(counts->profile + PROFILE_shadow_nodes));
+                 MEET_ANY AND_PROFILED(counts->profile + PROFILE_shadow_nodes));
     for (uint i = 0; i < worker->shadow_count; i++)
         if (worker->shadows.block[i] == BVH_NO_PRIMITIVE)
             worker->pool[as_uint(worker->light[i].w)].radiance.xyz += worker->light[i].xyz;
@@ -59,8 +59,7 @@ void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint 
     } else if (HAS(DIFFUSION_MODEL) && state == PATH_PROBE) {
         worker->probes[worker->probe_count++] = (ushort)at;
     } else {
-        const Path path = worker->pool[at];
-        launch_take(scene, launch, &path, counts);
+        launch_take(scene, launch, worker->pool + at, counts);
         worker->vacant[worker->vacant_count++] = (ushort)at;
     }
 }
@@ -77,10 +76,9 @@ void worker_begin(const Scene *scene, Worker *worker, const Launch *launch, Coun
                 return;
             }
         }
-        Path path;
-        if (!launch_path(scene, launch, worker->next++, &path, counts)) continue;
-        const uint at = worker->vacant[--worker->vacant_count];
-        worker->pool[at] = path;
+        const uint at = worker->vacant[worker->vacant_count - 1u];
+        if (!launch_path(scene, launch, worker->next++, worker->pool + at, counts)) continue;
+        worker->vacant_count--;
         worker_file(scene, worker, launch, at, counts);
     }
 }
@@ -92,17 +90,16 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
     for (uint first = 0; first < count; first += STREAM_RAYS) {
         const uint part = min((uint)STREAM_RAYS, count - first);
         for (uint i = 0; i < part; i++) {
-            const Path path = worker->pool[worker->rays[first + i]];
-            stream_put(&worker->stream, i, path_ray(path.position.xyz, path.direction.xyz), scene->frame->bvh_root);
+            global const Path *path = worker->pool + worker->rays[first + i];
+            stream_put(&worker->stream, i, path_ray(path->position.xyz, path->direction.xyz), scene->frame->bvh_root);
         }
         trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks,
-                     false AND_PROFILED(counts->profile + PROFILE_ray_nodes));
+                     MEET_CLOSEST AND_PROFILED(counts->profile + PROFILE_ray_nodes));
         for (uint i = 0; i < part; i++) {
             const uint at = worker->rays[first + i];
-            Path path = worker->pool[at];
-            const Shadow shadow = path_meet(scene, &path, stream_hit(&worker->stream, scene->blocks, i), counts,
-                                            launch_layers(scene, launch, path.slot));
-            worker->pool[at] = path;
+            global Path *path = worker->pool + at;
+            const Shadow shadow = path_meet(scene, path, stream_hit(&worker->stream, scene->blocks, i), counts,
+                                            launch_layers(scene, launch, path->slot));
             worker_ask_light(scene, worker, at, &shadow, counts);
         }
         worker_light(scene, worker, counts);
@@ -116,9 +113,7 @@ void worker_probe(const Scene *scene, Worker *worker, const Launch *launch, Coun
     worker->probe_count = 0u;
     for (uint i = 0; i < count; i++) {
         const uint at = worker->probes[i];
-        Path path = worker->pool[at];
-        const Shadow shadow = diffusion_leave(scene, &path, counts);
-        worker->pool[at] = path;
+        const Shadow shadow = diffusion_leave(scene, worker->pool + at, counts);
         worker_ask_light(scene, worker, at, &shadow, counts);
     }
     worker_light(scene, worker, counts);
@@ -129,8 +124,7 @@ void worker_probe(const Scene *scene, Worker *worker, const Launch *launch, Coun
 void worker_fill_lanes(const Scene *scene, Worker *worker) {
     for (Walks idle = ~worker->walking & WALKS_ALL; idle != 0u && worker->walk_count > 0u; idle &= idle - 1u) {
         const uint l = lowest_bit64(idle), at = worker->walks[--worker->walk_count];
-        const Path path = worker->pool[at];
-        lane_load(scene, worker->lanes + l / LANES, l % LANES, &path, at);
+        lane_load(scene, worker->lanes + l / LANES, l % LANES, worker->pool + at, at);
         worker->walking |= (Walks)1 << l;
     }
 }
@@ -147,10 +141,9 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
         worker->walking &= ~ended;
         FOR_WALKS(l, ended) {
             const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);
-            Path path = worker->pool[at];
-            const Shadow shadow = lane_end(scene, worker->lanes, &worker->stream, l, ends, &path, counts,
-                                           launch_layers(scene, launch, path.slot));
-            worker->pool[at] = path;
+            global Path *path = worker->pool + at;
+            const Shadow shadow = lane_end(scene, worker->lanes, &worker->stream, l, ends, path, counts,
+                                           launch_layers(scene, launch, path->slot));
             worker_ask_light(scene, worker, at, &shadow, counts);
             worker_file(scene, worker, launch, at, counts); // a walk that ends for good asks for no light
         }
@@ -162,18 +155,11 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
 void worker_suspend(Worker *worker, const Launch *launch) {
     FOR_WALKS(l, worker->walking) {
         const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);
-        Path path = worker->pool[at];
-        lane_store(worker->lanes + l / LANES, l % LANES, &path);
-        launch_suspend(launch, &path);
+        lane_store(worker->lanes + l / LANES, l % LANES, worker->pool + at);
+        launch_suspend(launch, worker->pool + at);
     }
-    for (uint i = 0; i < worker->walk_count; i++) {
-        const Path path = worker->pool[worker->walks[i]];
-        launch_suspend(launch, &path);
-    }
-    for (uint i = 0; i < worker->ray_count; i++) {
-        const Path path = worker->pool[worker->rays[i]];
-        launch_suspend(launch, &path);
-    }
+    for (uint i = 0; i < worker->walk_count; i++) launch_suspend(launch, worker->pool + worker->walks[i]);
+    for (uint i = 0; i < worker->ray_count; i++) launch_suspend(launch, worker->pool + worker->rays[i]);
 }
 
 // Takes paths from the launch until there are none, and brings them to their end or, past the budget, to the next launch.

@@ -6,17 +6,21 @@
 #include "lanes/lanes.h"
 
 uint4 random_hash(uint4 v) {
-    v = v * 1664525u + 1013904223u;
-    v.x += v.y * v.w;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v.w += v.y * v.z;
-    v ^= v >> 16u;
-    v.x += v.y * v.w;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v.w += v.y * v.z;
-    return v;
+    uint x = v.x * 1664525u + 1013904223u, y = v.y * 1664525u + 1013904223u;
+    uint z = v.z * 1664525u + 1013904223u, w = v.w * 1664525u + 1013904223u;
+    x += y * w;
+    y += z * x;
+    z += x * y;
+    w += y * z;
+    x ^= x >> 16u;
+    y ^= y >> 16u;
+    z ^= z >> 16u;
+    w ^= w >> 16u;
+    x += y * w;
+    y += z * x;
+    z += x * y;
+    w += y * z;
+    return (uint4)(x, y, z, w);
 }
 
 // A float in (0, 1), never 0 or 1: (k + 1/2) 2^-23, exact in float.

@@ -4,6 +4,7 @@
 #define NACRE_RANDOM_SAMPLER_H
 
 #include "random/sobol.h"
+#include "shared/path.h"
 
 typedef enum {
     DRAW_PIXEL,      // position in the pixel
@@ -36,13 +37,24 @@ typedef struct {
 } Sampler;
 
 // Samples of the second half (shared/path.h) have a scrambling of their own.
-Sampler sampler_of(uint seed, uint pixel, uint sample, uint vertex) {
+uint sampler_key(uint seed, uint pixel, uint sample) {
+    return random_hash((uint4)(seed, pixel, 0x85ebca6bu ^ (sample >> 31), 0xc2b2ae35u)).x;
+}
+
+Sampler sampler_with(uint key, uint sample, uint vertex) {
     Sampler sampler;
-    sampler.key = random_hash((uint4)(seed, pixel, 0x85ebca6bu ^ (sample >> 31), 0xc2b2ae35u)).x;
+    sampler.key = key;
     sampler.sample = sample;
     sampler.vertex = vertex;
     return sampler;
 }
+
+Sampler sampler_of(uint seed, uint pixel, uint sample, uint vertex) {
+    return sampler_with(sampler_key(seed, pixel, sample), sample, vertex);
+}
+
+// For what happens at the path's vertex.
+Sampler path_sampler(const PATH_SPACE Path *path) { return sampler_with(path->key, path->sample, path->vertex); }
 
 uint4 draw_bits(Sampler sampler, Draw name, uint step) {
     return random_hash((uint4)(sampler.key, sampler.sample, sampler.vertex * (uint)DRAW_COUNT + (uint)name, step));

@@ -33,7 +33,8 @@ struct Path {
     float far_light;   // walk: light on the far side over that on the near side
     uint tries;        // walk: directions that its guide has tried
     uint scatters;     // walk: those before it was last turned back at the surface
-    uint pad[2];
+    uint key;          // of its random numbers: from seed, pixel and half
+    uint pad;
 };
 
 // One launch: `pixel_count` pixels from `first_pixel` on (in tile order), samples [first_sample, first_sample + sample_count) each.
@@ -50,6 +51,14 @@ SHARED_END
 #ifdef __OPENCL_C_VERSION__
 typedef struct Path Path;
 typedef struct Batch Batch;
+
+// Where a path is while it is on its way: in its worker's pool, or in its work-item's own memory. It is changed in place; to copy
+// it out and back took a tenth of a short walk's time.
+#if defined(LANES) && LANES > 1
+#define PATH_SPACE global
+#else
+#define PATH_SPACE private
+#endif
 #endif
 
 // Pixels are visited in tiles of TILE x TILE, so that neighbouring work-items see neighbouring geometry.

@@ -52,7 +52,7 @@ float3 medium_albedo(const Scene *scene, global const Material *material, float3
 }
 
 // Fills the medium of a path that enters at `uv`, and returns the colour that it shows, in [0, 1]. Textures are read here, once per walk.
-float3 medium_at(const Scene *scene, global const Material *material, float2 uv, Path *path) {
+float3 medium_at(const Scene *scene, global const Material *material, float2 uv, PATH_SPACE Path *path) {
     path->anisotropy.xyz = (float3)(0.0f);
     if (HAS(ANISOTROPY_RGB))
         path->anisotropy.xyz = material_color(scene, material, PARAMETER_subsurface_scatter_anisotropy, uv);

@@ -142,7 +142,7 @@ Walks turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, Walks
     Walks left = 0u;
     while (flying != 0u) {
         counts->value[COUNTER_walk_rays] += popcount(flying);
-        trace_stream(stream, flying, scene->nodes, scene->blocks, false AND_PROFILED(counts->profile + PROFILE_walk_nodes));
+        trace_stream(stream, flying, scene->nodes, scene->blocks, MEET_FLIGHT AND_PROFILED(counts->profile + PROFILE_walk_nodes));
         Walks onward = 0u;
         FOR_WALKS(w, flying) {
             WalkLanes *lanes = GROUP(groups, w / LANES);
@@ -151,7 +151,7 @@ Walks turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, Walks
             if (hit.block == BVH_NO_PRIMITIVE) continue;
             const float3 direction = (float3)(stream->direction_x[w], stream->direction_y[w], stream->direction_z[w]);
             const float rounding = LANE_FLOAT(lanes->rounding, l), distance = LANE_FLOAT(lanes->distance, l);
-            if (boundary_leaves(scene, hit, direction, rounding, &LANE_UINT(lanes->depth, l))) {
+            if (boundary_leaves(scene, hit, direction, &LANE_UINT(lanes->depth, l))) {
                 left |= (Walks)1 << w;
                 LANE_FLOAT(lanes->distance, l) = fmax(0.0f, hit.t - rounding);
             } else { // on, beyond the shell
