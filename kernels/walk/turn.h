@@ -39,11 +39,6 @@ typedef ulong Walks;
 #define GROUP(groups, g) ((groups) + (g))
 #endif
 
-// With so many lanes that may meet the surface it pays to look closer before their rays are traced.
-#ifndef CLEARANCE_MANY
-#define CLEARANCE_MANY (LANES / 4 + 1)
-#endif
-
 uint group_bits(Walks walks, uint group) { return (uint)(walks >> (group * LANES)) & LANES_ALL; }
 
 typedef struct {
@@ -103,19 +98,6 @@ uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
     return waiting;
 }
 
-// Narrows [*near, *far], the part of a flight that is not known to be clear, from both ends: what a ball about an end reaches
-// is clear. Returns the lanes of `flying` that have a part left.
-uint turn_narrow(const Scene *scene, WalkLanes *lanes, uint flying, real *near, real *far) {
-    lanes->clear_end = clearance_along(scene, lanes, lanes->distance);
-    *near = lanes->clear;
-    *far = lanes->distance - lanes->clear_end;
-    flying &= bits(*near < *far);
-    if (popcount(flying) < CLEARANCE_MANY) return flying;
-    *near += clearance_along(scene, lanes, *near);
-    *far -= clearance_along(scene, lanes, *far);
-    return flying & bits(*near < *far);
-}
-
 // Writes the rays of a group's flights into the stream from `row` on: from a little before the start of a flight to a little
 // beyond its end, so that neither a scatter nor the next flight is outside by rounding; of that only what may meet the surface.
 // Returns the lanes of `active` that have a ray.
@@ -123,7 +105,12 @@ uint turn_rays(const Scene *scene, WalkLanes *lanes, uint active, RayStream *str
     const Walk *walk = &lanes->walk;
     uint flying = active;
     real near = (real)(0.0f), far = lanes->distance;
-    if (HAS(CLEARANCE)) flying = turn_narrow(scene, lanes, active, &near, &far);
+    if (HAS(CLEARANCE)) { // what a ball about either end reaches is clear
+        lanes->clear_end = clearance_along(scene, lanes, lanes->distance);
+        near = lanes->clear;
+        far -= lanes->clear_end;
+        flying &= bits(near < far);
+    }
     if (flying == 0u) return 0u;
     STREAM_LANES(stream->origin_x, row) = walk->position.x - lanes->rounding * walk->direction.x;
     STREAM_LANES(stream->origin_y, row) = walk->position.y - lanes->rounding * walk->direction.y;
