@@ -190,8 +190,9 @@ Shadow path_meet(const Scene *scene, PATH_SPACE Path *path, Hit hit, Counts *cou
     const float density = path->direction.w;
     const Receiver receiver = receiver_at(ray.origin, path->outward.xyz);
     float3 light = light_of_rects(scene, &receiver, ray.direction, missed ? MAXFLOAT : hit.t, density, camera);
-    if (missed) {
-        light += light_of_sky(scene, &receiver, ray.direction, density, camera);
+    const bool last = scene->frame->max_depth != 0u && path->hits >= scene->frame->max_depth;
+    if (missed || (last && !HAS(EMISSION))) { // else what the surface is like matters
+        if (missed) light += light_of_sky(scene, &receiver, ray.direction, density, camera);
         path->radiance.xyz += path->throughput.xyz * light;
         path->state = PATH_DONE;
         return no_shadow();
@@ -210,7 +211,7 @@ Shadow path_meet(const Scene *scene, PATH_SPACE Path *path, Hit hit, Counts *cou
         path->radiance.w = 1.0f;
         if (HAS(SURFACE_AOV)) path_describe(scene, material, &surface, hit.t, layers);
     }
-    if (scene->frame->max_depth != 0u && path->hits >= scene->frame->max_depth) {
+    if (last) {
         path->state = PATH_DONE;
         return no_shadow();
     }
