@@ -48,7 +48,6 @@ typedef struct {
 } Shear;
 
 float3 rotated(float3 v, uint z) { return z == 0u ? v.yzx : z == 1u ? v.zxy : v; }
-float axis_of(float3 v, uint axis) { return axis == 0u ? v.x : axis == 1u ? v.y : v.z; }
 
 void set_shear_axes(Shear *s, uint z) {
     s->z = z;
@@ -82,17 +81,19 @@ uint block_primitive(global const float *blocks, uint block, uint slot) {
     return as_uint(blocks[((size_t)block * BVH_BLOCK_ROWS + BVH_ROW_PRIMITIVE) * BVH_WIDTH + slot]);
 }
 
+// A vertex seen along the ray. With the arithmetic of sheared_vertex, so that what follows from it agrees with what was hit.
+float3 sheared(const Shear *s, float3 v) {
+    const float3 at = rotated(v, s->z) - s->origin;
+    return (float3)(fma(-s->slope_x, at.z, at.x), fma(-s->slope_y, at.z, at.y), at.z);
+}
+
 // Weights of the three vertices at a hit: each >= 0, sum 1 up to rounding. The arithmetic of traverse_triangle.h.
 float3 hit_barycentrics(Ray ray, global const float *blocks, Hit hit) {
     const Shear s = shear_of(ray.origin, ray.direction, ray_reciprocal(ray.direction));
-    float x[3], y[3];
-    for (uint k = 0; k < 3u; k++) {
-        const float3 v = triangle_vertex(blocks, hit.block, hit.slot, k);
-        const float z = axis_of(v, s.z) - s.origin.z;
-        x[k] = fma(-s.slope_x, z, axis_of(v, s.x) - s.origin.x);
-        y[k] = fma(-s.slope_y, z, axis_of(v, s.y) - s.origin.y);
-    }
-    const float3 w = (float3)(x[2] * y[1] - y[2] * x[1], x[0] * y[2] - y[0] * x[2], x[1] * y[0] - y[1] * x[0]);
+    const float3 a = sheared(&s, triangle_vertex(blocks, hit.block, hit.slot, 0u));
+    const float3 b = sheared(&s, triangle_vertex(blocks, hit.block, hit.slot, 1u));
+    const float3 c = sheared(&s, triangle_vertex(blocks, hit.block, hit.slot, 2u));
+    const float3 w = (float3)(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
     return w / (w.x + w.y + w.z);
 }
 
