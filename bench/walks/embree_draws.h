@@ -39,9 +39,7 @@ struct Sampler {
     std::uint32_t key, sample, vertex;
 };
 
-inline std::uint32_t sampler_key(std::uint32_t pixel) {
-    return random_hash({0, pixel, 0x85ebca6bu, 0xc2b2ae35u}).x;
-}
+inline std::uint32_t sampler_key(std::uint32_t pixel) { return random_hash({0, pixel, 0x85ebca6bu, 0xc2b2ae35u}).x; }
 
 inline std::uint32_t reverse_bits(std::uint32_t x) {
     x = __builtin_bswap32(x);
