@@ -52,8 +52,8 @@ SHARED_END
 typedef struct Path Path;
 typedef struct Batch Batch;
 
-// Where a path is while it is on its way: in its worker's pool, or in its work-item's own memory. It is changed in place; to copy
-// it out and back took a tenth of a short walk's time.
+// Where a path is while it is on its way: in its worker's pool, or in its work-item's own memory. It is changed in place: to copy
+// it out and back took 3 to 7 % of a walk's time.
 #if defined(LANES) && LANES > 1
 #define PATH_SPACE global
 #else
