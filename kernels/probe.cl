@@ -244,16 +244,16 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_infini
 }
 
 // The guide of a walk that enters at the origin along z. A sphere is a slab of its diameter.
-void probe_guide(Probe probe, global const GuideMode *modes, GuideLanes *guide) {
+void probe_guide(const Scene *scene, Probe probe, global const GuideMode *modes, GuideLanes *guide) {
     guide->outward.x = guide->outward.y = guide->offset = 0.0f;
     guide->outward.z = -1.0f;
     guide->thickness = probe.thickness > 0.0f ? probe.thickness : probe.thickness < 0.0f ? -2.0f * probe.thickness : GUIDE_THICK;
     guide->share = guide_share(GUIDE_SHARE, probe.bleed);
     guide->far_light = probe.a;
     guide->tries = 0u;
-    mode_load(&guide->x, 0u, modes, probe.walk_anisotropy.x);
-    mode_load(&guide->y, 0u, modes + 1, probe.walk_anisotropy.y);
-    mode_load(&guide->z, 0u, modes + 2, probe.walk_anisotropy.z);
+    mode_load(scene, &guide->x, 0u, modes, probe.walk_anisotropy.x);
+    mode_load(scene, &guide->y, 0u, modes + 1, probe.walk_anisotropy.y);
+    mode_load(scene, &guide->z, 0u, modes + 2, probe.walk_anisotropy.z);
 }
 
 // `count` walks per work-item. out, per work-item: [0] sum of what leaves on the entry's side (rgb; count of walks that left
@@ -287,7 +287,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_walk(
         walk.reciprocal = (mask)probe.reciprocal;
         walk_begin(&walk, walk_start(scene, (float3)(1.0f), (float3)(1.0f), first.x));
         GuideLanes guide;
-        if (GUIDED) probe_guide(probe, modes, &guide);
+        if (GUIDED) probe_guide(scene, probe, modes, &guide);
         const LaneSampler lane = {sampler.key, sampler.sample, sampler.vertex};
         float length = 0.0f;
         for (;;) {

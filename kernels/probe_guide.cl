@@ -32,7 +32,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_turn(
     guide.share = GUIDE_SHARE;
     guide.far_light = place.z;
     guide.tries = 0u;
-    mode_load(&guide.x, 0u, mode, place.w);
+    mode_load(scene, &guide.x, 0u, mode, place.w);
     guide.y = guide.x;
     guide.z = guide.x;
     const LaneSampler sampler = {seed, i, 0u};

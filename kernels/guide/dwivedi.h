@@ -15,7 +15,8 @@ void dwivedi_flight(GuidedFlight *flight, real share, const ModeLanes *mode, Sid
                     mask entering) {
     flight->near = shares.near;
     flight->far = shares.far;
-    const real guided = fma(shares.near, isotropic_pdf(mode, mu), shares.far * isotropic_pdf(mode, -mu));
+    const Sides sides = isotropic_sides(mode, mu);
+    const real guided = (0.25f * INV_PI) * fma(shares.near, sides.near, shares.far * sides.far);
     flight->direction = pick(entering, (real)(1.0f), fma(guided, inverse_phase, 1.0f - share));
     flight->tilt = mu * mode->inverse_nu;
 }

@@ -13,14 +13,6 @@ typedef struct {
     Sides x, y, z;
 } ChannelSides;
 
-// Over the density of the phase function where that is isotropic.
-Sides isotropic_sides(const ModeLanes *mode, real mu) {
-    Sides sides;
-    sides.near = 4.0f * PI * isotropic_pdf(mode, mu);
-    sides.far = 4.0f * PI * isotropic_pdf(mode, -mu);
-    return sides;
-}
-
 // phi of each channel at a cosine.
 ChannelSides eigen_phi(const Scene *scene, const GuideLanes *guide, real mu) {
     ChannelSides phi;
@@ -30,10 +22,9 @@ ChannelSides eigen_phi(const Scene *scene, const GuideLanes *guide, real mu) {
         phi.z = isotropic_sides(&guide->z, mu);
         return phi;
     }
-    const Legendre at = legendre_at(mu);
-    phi.x = mode_sides(guide->x.phi, &at);
-    phi.y = mode_sides(guide->y.phi, &at);
-    phi.z = mode_sides(guide->z.phi, &at);
+    phi.x = polynomial_sides(&guide->x.phi, mu);
+    phi.y = polynomial_sides(&guide->y.phi, mu);
+    phi.z = polynomial_sides(&guide->z.phi, mu);
     return phi;
 }
 
@@ -45,10 +36,9 @@ ChannelSides eigen_scattered(const Scene *scene, const GuideLanes *guide, real m
         mean.y = mean.z = mean.x;
         return mean;
     }
-    const Legendre at = legendre_at(mu);
-    mean.x = mode_sides(guide->x.scattered, &at);
-    mean.y = mode_sides(guide->y.scattered, &at);
-    mean.z = mode_sides(guide->z.scattered, &at);
+    mean.x = polynomial_sides(&guide->x.scattered, mu);
+    mean.y = polynomial_sides(&guide->y.scattered, mu);
+    mean.z = polynomial_sides(&guide->z.scattered, mu);
     return mean;
 }
 

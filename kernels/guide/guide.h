@@ -91,7 +91,7 @@ whole guide_technique(const GuideLanes *guide, real near, real xi) {
                 pick(xi < guide->share, (whole)(TECHNIQUE_FAR), (whole)(TECHNIQUE_CLASSICAL)));
 }
 
-// A direction towards a technique's side by the mode of an isotropic medium, density isotropic_pdf.
+// A direction towards a technique's side by the mode of an isotropic medium, density isotropic_sides.
 real3 isotropic_towards(const GuideLanes *guide, whole technique, whole channel, DirectionNumbers numbers) {
     const real inverse_nu = channel_of(guide->x.inverse_nu, guide->y.inverse_nu, guide->z.inverse_nu, channel);
     const real spread = channel_of(guide->x.spread, guide->y.spread, guide->z.spread, channel);

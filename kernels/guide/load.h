@@ -17,15 +17,19 @@ uint4 nearest_modes(global const Material *material, float4 albedo, float4 g) {
     return i;
 }
 
-void mode_load(ModeLanes *lanes, uint l, global const GuideMode *mode, float g) {
-    float power = 1.0f;
+void mode_load(const Scene *scene, ModeLanes *lanes, uint l, global const GuideMode *mode, float g) {
+    if (HAS(ANISOTROPY)) {
+        float phi[GUIDE_TERMS], scattered[GUIDE_TERMS], power = 1.0f;
 #pragma unroll
-    for (int k = 0; k < GUIDE_TERMS; k++) {
-        LANE_FLOAT(lanes->phi[k], l) = mode->phi[k];
-        LANE_FLOAT(lanes->scattered[k], l) = power * mode->phi[k];
-        power *= g;
+        for (int k = 0; k < GUIDE_TERMS; k++) {
+            phi[k] = mode->phi[k];
+            scattered[k] = power * mode->phi[k];
+            power *= g;
+        }
+        polynomial_load(&lanes->phi, l, phi);
+        polynomial_load(&lanes->scattered, l, scattered);
+        LANE_FLOAT(lanes->peak, l) = mode->peak;
     }
-    LANE_FLOAT(lanes->peak, l) = mode->peak;
     LANE_FLOAT(lanes->inverse_nu, l) = mode->inverse_nu;
     LANE_FLOAT(lanes->spread, l) = mode->spread;
 }
@@ -45,9 +49,9 @@ void guide_load(const Scene *scene, GuideLanes *guide, uint l, const PATH_SPACE 
     LANE_UINT(guide->tries, l) = path->tries;
     const float4 g = path->anisotropy;
     const uint4 i = nearest_modes(material, path->albedo, g);
-    mode_load(&guide->x, l, scene->modes + material->guide_first[0] + i.x, g.x);
-    mode_load(&guide->y, l, scene->modes + material->guide_first[1] + i.y, g.y);
-    mode_load(&guide->z, l, scene->modes + material->guide_first[2] + i.z, g.z);
+    mode_load(scene, &guide->x, l, scene->modes + material->guide_first[0] + i.x, g.x);
+    mode_load(scene, &guide->y, l, scene->modes + material->guide_first[1] + i.y, g.y);
+    mode_load(scene, &guide->z, l, scene->modes + material->guide_first[2] + i.z, g.z);
 }
 
 // Light on the far side of a slab over that on the near side, which faces `outward`.

@@ -8,40 +8,49 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-// One channel's mode. scattered[l] = g^l phi[l]: the mean over the phase function, of g.
+// A polynomial in mu: even[k] mu^(2k) + odd[k] mu^(2k + 1). Sums of Legendre polynomials are had for half the price in this form,
+// and for GUIDE_TERMS of them as exact as phi asks for.
+#if GUIDE_TERMS != 8
+#error "polynomial_load has the first eight Legendre polynomials"
+#endif
 typedef struct {
-    real phi[GUIDE_TERMS], scattered[GUIDE_TERMS];
+    real even[GUIDE_TERMS / 2], odd[GUIDE_TERMS / 2];
+} Polynomial;
+
+// One channel's mode. `scattered` is the mean of phi over the phase function of g, whose P_l are g^l times phi's. Isotropic media
+// have neither, nor a peak.
+typedef struct {
+    Polynomial phi, scattered;
     real peak, inverse_nu, spread;
 } ModeLanes;
-
-typedef struct {
-    real value[GUIDE_TERMS];
-} Legendre;
 
 // A function of mu at mu and at -mu: the near and the far side's.
 typedef struct {
     real near, far;
 } Sides;
 
-// P_0 .. P_(GUIDE_TERMS - 1) at mu, by Bonnet's recursion.
-Legendre legendre_at(real mu) {
-    Legendre p;
-    p.value[0] = (real)(1.0f);
-    p.value[1] = mu;
-#pragma unroll
-    for (int l = 2; l < GUIDE_TERMS; l++)
-        p.value[l] = fma(mu * p.value[l - 1], (real)((2.0f * l - 1.0f) / l), p.value[l - 2] * (real)(-(l - 1.0f) / l));
-    return p;
+// Puts the sum of factors[l] P_l into lane l of a polynomial.
+void polynomial_load(Polynomial *lanes, uint l, const float *factors) {
+    const float4 even = factors[0] * (float4)(1.0f, 0.0f, 0.0f, 0.0f) + factors[2] * (float4)(-0.5f, 1.5f, 0.0f, 0.0f) +
+                        factors[4] * (float4)(0.375f, -3.75f, 4.375f, 0.0f) +
+                        factors[6] * (float4)(-0.3125f, 6.5625f, -19.6875f, 14.4375f);
+    const float4 odd = factors[1] * (float4)(1.0f, 0.0f, 0.0f, 0.0f) + factors[3] * (float4)(-1.5f, 2.5f, 0.0f, 0.0f) +
+                       factors[5] * (float4)(1.875f, -8.75f, 7.875f, 0.0f) +
+                       factors[7] * (float4)(-2.1875f, 19.6875f, -43.3125f, 26.8125f);
+    LANE_FLOAT(lanes->even[0], l) = even.x;
+    LANE_FLOAT(lanes->even[1], l) = even.y;
+    LANE_FLOAT(lanes->even[2], l) = even.z;
+    LANE_FLOAT(lanes->even[3], l) = even.w;
+    LANE_FLOAT(lanes->odd[0], l) = odd.x;
+    LANE_FLOAT(lanes->odd[1], l) = odd.y;
+    LANE_FLOAT(lanes->odd[2], l) = odd.z;
+    LANE_FLOAT(lanes->odd[3], l) = odd.w;
 }
 
-// The sum of the polynomials at mu and at -mu: P_l is even or odd as l is.
-Sides mode_sides(const real *factors, const Legendre *p) {
-    real even = factors[0], odd = factors[1] * p->value[1];
-#pragma unroll
-    for (int l = 2; l < GUIDE_TERMS; l += 2) {
-        even = fma(factors[l], p->value[l], even);
-        odd = fma(factors[l + 1], p->value[l + 1], odd);
-    }
+Sides polynomial_sides(const Polynomial *p, real mu) {
+    const real square = mu * mu;
+    const real even = fma(square, fma(square, fma(square, p->even[3], p->even[2]), p->even[1]), p->even[0]);
+    const real odd = mu * fma(square, fma(square, fma(square, p->odd[3], p->odd[2]), p->odd[1]), p->odd[0]);
     Sides sides;
     sides.near = even + odd;
     sides.far = even - odd;
@@ -51,13 +60,18 @@ Sides mode_sides(const real *factors, const Legendre *p) {
 // Cosine towards the side, density 1 / (spread (nu - mu)): mu = nu - (nu + 1) exp(-xi spread), in a form that keeps its
 // digits for a large nu.
 real isotropic_cosine(real inverse_nu, real spread, real xi) {
-    const real nu = 1.0f / inverse_nu, e = -xi * spread;
-    return max((real)(-1.0f), min(-nu * lane_expm1(e) - lane_exp(e), (real)(1.0f)));
+    const real nu = 1.0f / inverse_nu, m = lane_expm1(-xi * spread);
+    return max((real)(-1.0f), min(-nu * m - (1.0f + m), (real)(1.0f)));
 }
 
-// Of that cosine, per steradian.
-real isotropic_pdf(const ModeLanes *mode, real mu) {
-    return mode->inverse_nu * (0.5f * INV_PI) / (mode->spread * (1.0f - mode->inverse_nu * mu));
+// The density of that cosine, per steradian, over that of isotropic scattering.
+Sides isotropic_sides(const ModeLanes *mode, real mu) {
+    const real tilt = mode->inverse_nu * mu, near = 1.0f - tilt, far = 1.0f + tilt;
+    const real scale = 2.0f * mode->inverse_nu / (mode->spread * near * far);
+    Sides sides;
+    sides.near = scale * far;
+    sides.far = scale * near;
+    return sides;
 }
 
 #endif

@@ -27,8 +27,10 @@ real3 turn(real3 n, real sine, real cosine, real azimuth_sine, real azimuth_cosi
     d.x = fma(x, fma(s * n.x * n.x, a, (real)(1.0f)), fma(y, c, cosine * n.x));
     d.y = fma(x, s * c, fma(y, fma(n.y * n.y, a, s), cosine * n.y));
     d.z = fma(x, -s * n.x, fma(y, -n.y, cosine * n.z));
-    const real inverse_length = 1.0f / sqrt(fma(d.x, d.x, fma(d.y, d.y, d.z * d.z)));
-    d.x *= inverse_length; // rounding would add up over the scatters of a walk
+    // Rounding would add up over the scatters of a walk. 1 / length to first order, as its square is 1 but for rounding: exact
+    // to float, and without the root and the quotient that everything would wait for.
+    const real inverse_length = fma(fma(d.x, d.x, fma(d.y, d.y, d.z * d.z)), (real)(-0.5f), (real)(1.5f));
+    d.x *= inverse_length;
     d.y *= inverse_length;
     d.z *= inverse_length;
     return d;

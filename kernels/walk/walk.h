@@ -153,18 +153,24 @@ real walk_distance(const Scene *scene, const Walk *walk, const GuideLanes *guide
     return flight_sample(scene, walk_flight(walk), xi) / rate;
 }
 
+// Weights and shares of less are 0: nobody sees them, and left alone they become denormal numbers, which many processors take a
+// hundred cycles and more for.
+#define WALK_LEAST 1e-20f
+
+real walk_flushed(real x) { return pick(x < WALK_LEAST, (real)(0.0f), x); }
+
 // Balance heuristic. `density` is the classical one of each channel, `mixed` that of all the channel's techniques, `factor` what
 // is left of its light (the albedo, or 1).
 void walk_weigh(const Scene *scene, Walk *walk, real3 density, real3 mixed, real3 factor) {
     const real mixture = fma(walk->share.x, mixed.x, fma(walk->share.y, mixed.y, walk->share.z * mixed.z));
     const real inverse = 1.0f / mixture;
-    walk->weight.x *= factor.x * (density.x * inverse);
-    walk->weight.y *= factor.y * (density.y * inverse);
-    walk->weight.z *= factor.z * (density.z * inverse);
+    walk->weight.x = walk_flushed(walk->weight.x * (factor.x * (density.x * inverse)));
+    walk->weight.y = walk_flushed(walk->weight.y * (factor.y * (density.y * inverse)));
+    walk->weight.z = walk_flushed(walk->weight.z * (factor.z * (density.z * inverse)));
     if (scene->frame->channel_sampling == CHANNEL_HERO) {
-        walk->share.x *= mixed.x * inverse;
-        walk->share.y *= mixed.y * inverse;
-        walk->share.z *= mixed.z * inverse;
+        walk->share.x = walk_flushed(walk->share.x * (mixed.x * inverse));
+        walk->share.y = walk_flushed(walk->share.y * (mixed.y * inverse));
+        walk->share.z = walk_flushed(walk->share.z * (mixed.z * inverse));
     }
 }
 
