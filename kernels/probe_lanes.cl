@@ -74,6 +74,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_lane_w
     walk.direction = triple((real)(0.57735027f));
     walk.sigma = triple(one);
     walk.sigma.y = (real)(2.0f);
+    walk.sigma.z = (real)(30.0f); // whose light the others' walks soon have lost
     walk.albedo = triple((real)(0.7f));
     walk.albedo.z = (real)(0.2f);
     walk.anisotropy.x = pick((x & 1u) != 0u, (real)(0.8f), none);

@@ -42,13 +42,20 @@ TEST(Lanes, WalksAreThoseOfOneLane) {
         const Bits alone = run_lane_walk(1, in, sampling);
         for (const int lanes : lane_counts) EXPECT_EQ(run_lane_walk(lanes, in, sampling), alone) << lanes << " lanes";
         double survivors = 0, weight = 0;
+        std::uint32_t lost = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const float w = std::bit_cast<float>(alone[c * count + i]);
+                ASSERT_TRUE(w == 0 || w >= 1e-20f) << "on its way to a denormal number: " << w;
+                lost += w == 0;
+            }
             survivors += std::bit_cast<float>(alone[9 * count + i]);
             weight += std::bit_cast<float>(alone[i]);
             ASSERT_EQ(std::bit_cast<float>(alone[10 * count + i]), 0) << "density of a flight to the surface";
             ASSERT_EQ(std::bit_cast<float>(alone[11 * count + i]), 0) << "density of a flight to a scatter";
         }
         EXPECT_TRUE(std::isfinite(weight) && weight > 0);
+        EXPECT_GT(lost, count / 4) << "the third channel's of the others' walks";
         EXPECT_TRUE(survivors > .1 * count && survivors < count) << "some walks end, some do not";
     }
 }
