@@ -41,6 +41,11 @@ typedef ulong Walks;
 
 uint group_bits(Walks walks, uint group) { return (uint)(walks >> (group * LANES)) & LANES_ALL; }
 
+// A loop over the groups that have walks of a set: few do when the last and longest ones are left.
+#define FOR_GROUPS(g, walks)                                                                                           \
+    for (uint g = 0u; g < LANE_GROUPS; g++)                                                                            \
+        if (group_bits(walks, g) != 0u)
+
 typedef struct {
     Walk walk;
     ClearanceLanes field;         // of each walk's object
@@ -181,17 +186,18 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left
 // memory together.
 TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, Walks active, Counts *counts) {
     Walks waiting = 0u, flying = 0u;
-    for (uint g = 0u; g < LANE_GROUPS; g++)
+    FOR_GROUPS(g, active) {
         waiting |= (Walks)turn_draw(scene, GROUP(groups, g), group_bits(active, g)) << (g * LANES);
+        COUNT_PROFILE(counts, lane_turns, 1u)
+    }
     const Walks flown = active & ~waiting;
-    for (uint g = 0u; g < LANE_GROUPS; g++)
+    FOR_GROUPS(g, flown)
         flying |= (Walks)turn_rays(scene, GROUP(groups, g), group_bits(flown, g), stream, g * LANES) << (g * LANES);
     COUNT_PROFILE(counts, clear_steps, popcount(flown & ~flying))
-    COUNT_PROFILE(counts, lane_turns, LANE_GROUPS)
     COUNT_PROFILE(counts, lane_active, popcount(active))
     const Walks left = turn_trace(scene, groups, stream, flying, counts);
     TurnEnds all = {0u, 0u, 0u, 0u};
-    for (uint g = 0u; g < LANE_GROUPS; g++) {
+    FOR_GROUPS(g, flown) {
         const TurnEnds ends = turn_arrive(scene, GROUP(groups, g), group_bits(flown, g), group_bits(left, g));
         all.left |= ends.left << (g * LANES);
         all.slipped |= ends.slipped << (g * LANES);
