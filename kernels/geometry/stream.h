@@ -25,8 +25,7 @@ void trace_stream(RayStream *stream, ulong wanted, global const float *nodes, gl
 #else
 
 // OpenCL's own prefetch() does nothing in PoCL; the builtin is clang's, for machine code alone. Into the second cache: what 64
-// rays wait for would push everything else out of the first. That took up to 13 % of a walk's time in large
-// meshes.
+// rays wait for would push everything else out of the first. That took up to 13 % of a walk's time in large meshes.
 #if defined(__x86_64__) || defined(__aarch64__)
 #define PREFETCH_LINE(p) __builtin_prefetch(p, 0, 2)
 #else

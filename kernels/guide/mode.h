@@ -8,11 +8,12 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-// A polynomial in mu: even[k] mu^(2k) + odd[k] mu^(2k + 1). Sums of Legendre polynomials are had for half the price in this form,
-// and for GUIDE_TERMS of them as exact as phi asks for.
 #if GUIDE_TERMS != 8
 #error "polynomial_load has the first eight Legendre polynomials"
 #endif
+
+// A polynomial in mu: even[k] mu^(2k) + odd[k] mu^(2k + 1). A sum of Legendre polynomials takes half as many operations in this
+// form as by their recursion, and of so few it is as exact as phi asks for.
 typedef struct {
     real even[GUIDE_TERMS / 2], odd[GUIDE_TERMS / 2];
 } Polynomial;
