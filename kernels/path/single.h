@@ -38,7 +38,8 @@ void single_advance(const Scene *scene, PATH_SPACE Path *path, uint budget, Coun
         if (path->state == PATH_RAY) {
             const Hit hit = trace_closest(path_ray(path->position.xyz, path->direction.xyz), scene->nodes, scene->blocks,
                                           scene->frame->bvh_root AND_PROFILED(counts->profile + PROFILE_ray_nodes));
-            shadow = path_meet(scene, path, hit, counts, layers);
+            Surface surface;
+            shadow = path_meet(scene, path, hit, &surface, false, counts, layers);
             budget -= min(budget, PATH_RAY_COST);
         } else if (HAS(DIFFUSION_MODEL) && path->state == PATH_PROBE) {
             shadow = diffusion_leave(scene, path, counts);
@@ -53,7 +54,7 @@ void single_advance(const Scene *scene, PATH_SPACE Path *path, uint budget, Coun
 // A path over its budget is suspended where there is room for it.
 void trace_single(const Scene *scene, const Launch *launch, uint i, Counts *counts) {
     Path path;
-    if (i >= launch_paths(launch) || !launch_path(scene, launch, i, &path, counts)) return;
+    if (i >= launch_paths(launch) || !launch_path(scene, launch, i, &path, 0, counts)) return;
     do {
         single_advance(scene, &path, launch->batch.budget, counts, launch_layers(scene, launch, path.slot));
     } while (path.state != PATH_DONE && !launch_suspend(launch, &path));

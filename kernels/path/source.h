@@ -28,7 +28,9 @@ global float4 *launch_layers(const Scene *scene, const Launch *launch, uint slot
 }
 
 // Path i of the launch: pixel i / sample_count, sample i % sample_count, or a suspended one. False: beyond the crop's edge.
-bool launch_path(const Scene *scene, const Launch *launch, uint i, PATH_SPACE Path *path, Counts *counts) {
+// `before`: one that has begun and whose camera ray may serve this one, too, or null.
+bool launch_path(const Scene *scene, const Launch *launch, uint i, PATH_SPACE Path *path, const PATH_SPACE Path *before,
+                 Counts *counts) {
     if (launch->batch.resumed > 0u) {
         *path = launch->resumed[i];
         return true;
@@ -39,6 +41,12 @@ bool launch_path(const Scene *scene, const Launch *launch, uint i, PATH_SPACE Pa
     LISTED(pixel = listed_pixel(launch->tiles, pixel);)
     if (!pixel_at(scene, pixel, &x, &y)) return false;
     path_begin(scene, path, x, y, sample, i);
+    if (before != 0 && path_shares_ray(scene, path, before)) {
+        path->position = before->position;
+        path->direction = before->direction;
+    } else {
+        path_aim(scene, path, x, y);
+    }
     counts->value[COUNTER_paths] += 1u;
     layers_begin(scene, launch_layers(scene, launch, i));
     return true;

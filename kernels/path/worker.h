@@ -16,6 +16,7 @@ typedef struct {
     global Path *pool;
     ushort vacant[POOL_PATHS], rays[POOL_PATHS], walks[POOL_PATHS]; // places in the pool: free, with a ray to trace, about to walk
     uint vacant_count, ray_count, walk_count;
+    bool shares[POOL_PATHS];   // by place: its ray, not yet traced, is that of the path before it in `rays`
     ushort probes[POOL_PATHS]; // places of paths below a surface with a diffusion model
     uint probe_count;
     uint next, end;            // paths of the launch that it took and has not begun
@@ -67,6 +68,7 @@ void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint 
 // Begins paths until the pool is full or the launch has no more.
 void worker_begin(const Scene *scene, Worker *worker, const Launch *launch, Counts *counts) {
     const uint total = launch_paths(launch);
+    global const Path *before = 0;
     while (worker->vacant_count > 0u && !worker->exhausted) {
         if (worker->next == worker->end) {
             worker->next = atomic_add(launch->counters + COUNTER_NEXT, WORKER_CHUNK);
@@ -77,33 +79,54 @@ void worker_begin(const Scene *scene, Worker *worker, const Launch *launch, Coun
             }
         }
         const uint at = worker->vacant[worker->vacant_count - 1u];
-        if (!launch_path(scene, launch, worker->next++, worker->pool + at, counts)) continue;
+        global Path *path = worker->pool + at;
+        if (!launch_path(scene, launch, worker->next++, path, before, counts)) continue;
         worker->vacant_count--;
+        worker->shares[at] = before != 0 && path_shares_ray(scene, path, before);
+        before = launch->batch.resumed == 0u ? path : 0; // those have left their camera rays behind
         worker_file(scene, worker, launch, at, counts);
     }
+}
+
+// Puts the rays of `count` paths at `places` into the stream while it has room, a shared one once. `ray`: which is whose.
+// Returns how many paths it took, and how many rays they have.
+uint worker_put_rays(const Scene *scene, Worker *worker, const ushort *places, uint count, uchar *ray, uint *rays) {
+    *rays = 0u;
+    for (uint i = 0; i < count; i++) {
+        global const Path *path = worker->pool + places[i];
+        if (i == 0u || !worker->shares[places[i]]) {
+            if (*rays == STREAM_RAYS) return i;
+            stream_put(&worker->stream, *rays, path_ray(path->position.xyz, path->direction.xyz), scene->frame->bvh_root);
+            *rays += 1u;
+        }
+        ray[i] = (uchar)(*rays - 1u);
+    }
+    return count;
 }
 
 // Traces every ray that waits, and shades what it meets.
 void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Counts *counts) {
     const uint count = worker->ray_count;
     worker->ray_count = 0u; // paths that go on with a ray are put back behind those that were read
-    for (uint first = 0; first < count; first += STREAM_RAYS) {
-        const uint part = min((uint)STREAM_RAYS, count - first);
-        for (uint i = 0; i < part; i++) {
-            global const Path *path = worker->pool + worker->rays[first + i];
-            stream_put(&worker->stream, i, path_ray(path->position.xyz, path->direction.xyz), scene->frame->bvh_root);
-        }
-        trace_stream(&worker->stream, first_bits(part), scene->nodes, scene->blocks,
+    for (uint first = 0, part; first < count; first += part) {
+        const ushort *places = worker->rays + first;
+        uchar ray[POOL_PATHS];
+        uint rays;
+        part = worker_put_rays(scene, worker, places, count - first, ray, &rays);
+        trace_stream(&worker->stream, first_bits(rays), scene->nodes, scene->blocks,
                      MEET_CLOSEST AND_PROFILED(counts->profile + PROFILE_ray_nodes));
+        Surface surface;
         for (uint i = 0; i < part; i++) {
-            const uint at = worker->rays[first + i];
+            const uint at = places[i];
             global Path *path = worker->pool + at;
-            const Shadow shadow = path_meet(scene, path, stream_hit(&worker->stream, scene->blocks, i), counts,
-                                            launch_layers(scene, launch, path->slot));
+            const bool shares = i > 0u && ray[i] == ray[i - 1u];
+            worker->shares[at] = false;
+            const Shadow shadow = path_meet(scene, path, stream_hit(&worker->stream, scene->blocks, ray[i]), &surface, shares,
+                                            counts, launch_layers(scene, launch, path->slot));
             worker_ask_light(scene, worker, at, &shadow, counts);
         }
         worker_light(scene, worker, counts);
-        for (uint i = 0; i < part; i++) worker_file(scene, worker, launch, worker->rays[first + i], counts);
+        for (uint i = 0; i < part; i++) worker_file(scene, worker, launch, places[i], counts);
     }
 }
 
