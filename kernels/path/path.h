@@ -18,7 +18,10 @@
 
 // Samples of a pixel, from an even one on, that share a camera ray: traced once, it serves the walks of both. Noise is of the
 // walks; half as many positions in the pixel leave it what it was (.97 to 1.0 of the relative variance at 16 to 32 samples).
-#ifndef CAMERA_RAY_SAMPLES
+// Adaptive renders take samples for independent, and would see half the noise of what only the position decides.
+#ifdef TILE_LIST
+#define CAMERA_RAY_SAMPLES 1u
+#else
 #define CAMERA_RAY_SAMPLES 2u
 #endif
 

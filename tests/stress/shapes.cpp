@@ -101,7 +101,7 @@ scene::Scene scene_of(const Shape &shape, double free_path, double g, double ble
     scene.camera.position = {0, 0, 4};
     scene.camera.height = 1.2 * size;
     scene.image = {24, 24};
-    scene.render.spp = 8;
+    scene.render.spp = 64; // some 3e4 walks: with a tenth of it a single lost one would be over the bound
     scene.render.max_depth = 0;
     scene.render.guiding = GUIDING_NONE;
     return scene;
