@@ -6,7 +6,7 @@
 
 #define COUNTER_LIST(X)                                                                                                \
     X(paths)                                                                                                           \
-    X(rays)          /* closest-hit rays outside of walks */                                                           \
+    X(rays)          /* closest-hit rays outside of walks; one that paths share, for each */                           \
     X(shadow_rays)                                                                                                     \
     X(walk_rays)     /* segments of flights that were traced */                                                        \
     X(walks)                                                                                                           \
