@@ -37,15 +37,19 @@ void mode_load(const Scene *scene, ModeLanes *lanes, uint l, global const GuideM
 // Under bleed the modes are poor guides, whose steps' weights multiply.
 float guide_share(float share, float bleed) { return share / (1.0f + 0.2f * bleed); }
 
-void guide_load(const Scene *scene, GuideLanes *guide, uint l, const PATH_SPACE Path *path) {
-    global const Material *material = scene->materials + scene->objects[path->object].material;
+// The plane of the entry, which a guide and a twin ask for.
+void plane_load(GuideLanes *guide, uint l, const PATH_SPACE Path *path) {
     LANE_FLOAT(guide->outward.x, l) = path->outward.x;
     LANE_FLOAT(guide->outward.y, l) = path->outward.y;
     LANE_FLOAT(guide->outward.z, l) = path->outward.z;
     LANE_FLOAT(guide->offset, l) = path->outward.w;
+}
+
+void guide_load(const Scene *scene, GuideLanes *guide, uint l, const PATH_SPACE Path *path) {
+    global const Material *material = scene->materials + scene->objects[path->object].material;
     LANE_FLOAT(guide->thickness, l) = path->thickness;
     LANE_FLOAT(guide->share, l) = guide_share(scene->objects[path->object].guided, path->bleed);
-    LANE_FLOAT(guide->far_light, l) = path->far_light;
+    LANE_FLOAT(guide->far_light, l) = HAS(CONTROL) && path->state == PATH_TWIN ? 0.0f : path->far_light; // a half-space has one side
     LANE_UINT(guide->tries, l) = path->tries;
     const float4 g = path->anisotropy;
     const uint4 i = nearest_modes(material, path->albedo, g);
@@ -65,7 +69,6 @@ float guide_far_light(global const LightSides *sides, float3 outward) {
 
 // The slab that a walk begins in, from below `surface`.
 void guide_begin(const Scene *scene, PATH_SPACE Path *path, const Surface *surface) {
-    path->outward = (float4)(surface->geometric, dot(surface->geometric, surface->position));
     path->thickness = scene->thickness[surface->primitive];
     path->tries = 0u;
     path->far_light = guide_far_light(scene->sides + path->object, surface->geometric);

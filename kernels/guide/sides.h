@@ -33,7 +33,7 @@ float side_light(const Scene *scene, uint i, float3 position, float3 normal) {
     for (uint sample = 0; sample < SIDE_SAMPLES; sample++) {
         const Sampler sampler = sampler_of(SIDE_SEED, i, sample, 0u);
         const Shadow shadow = light_lambert(scene, (float3)(1.0f), sampler, position, error, normal, normal);
-        if (shadow_asked(&shadow) &&
+        if (shadow_asked(scene, &shadow) &&
             !trace_any(shadow.ray, scene->nodes, scene->blocks, scene->frame->bvh_root AND_PROFILED(visits)))
             sum += luminance(shadow.light);
         const float3 direction = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), normal, normal);

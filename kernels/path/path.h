@@ -52,7 +52,8 @@ void path_begin(const Scene *scene, PATH_SPACE Path *path, uint x, uint y, uint 
     path->outward = (float4)(0.0f);
     path->bleed = path->first_number = path->thickness = path->far_light = 0.0f;
     path->object = path->flight = path->max_depth = path->channel = path->steps = path->depth = path->tries = 0u;
-    path->scatters = path->pad = 0u; // all of it: a suspended path is copied whole
+    path->foreseen = path->surplus = path->exit_position = path->exit_direction = path->exit_outward = (float4)(0.0f);
+    path->scatters = path->twin = 0u; // all of it: a suspended path is copied whole
     path->key = sampler_key(scene->frame->seed, path->pixel, sample);
 }
 
@@ -143,10 +144,11 @@ Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Mate
     const float2 lobe = draw_pair(sampler, DRAW_LOBE);
     LightSample sample;
     const Receiver receiver = receiver_at(surface->position, surface->geometric);
-    const bool lit = (HAS(SPECULAR) || HAS(DIFFUSE)) && scene_samples_lights(scene) &&
+    const bool foresees = HAS(CONTROL) && control_pays(scene, path, surface);
+    const bool lit = (HAS(SPECULAR) || HAS(DIFFUSE) || foresees) && scene_samples_lights(scene) &&
                      light_sample(scene, sampler, &receiver, &sample) &&
                      dot(sample.direction, surface->geometric) > 0.0f;
-    float3 direct = (float3)(0.0f);
+    float3 direct = (float3)(0.0f), foreseen = (float3)(0.0f);
     bool reflected = false;
     Specular specular;
     if (HAS(SPECULAR) && specular_at(scene, material, surface, view, &specular)) {
@@ -165,6 +167,7 @@ Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Mate
                 diffusion_enter(scene, path, material, surface, counts);
             else
                 path_enter(scene, path, sampler, surface, counts);
+            if (foresees && lit && path->twin != TWIN_NONE) foreseen = control_light(path, surface, &sample);
         } else {
             path->throughput.xyz *= material_color(scene, material, PARAMETER_base_color, surface->uv);
             path->direction.xyz = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), surface->shading, surface->geometric);
@@ -181,7 +184,9 @@ Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Mate
         path->outward.xyz = surface->geometric;
     }
     if (!lit) return no_shadow();
-    return shadow_of(surface->position, surface->error, surface->geometric, &sample, direct * sample.radiance);
+    Shadow shadow = shadow_of(surface->position, surface->error, surface->geometric, &sample, direct * sample.radiance);
+    shadow.foreseen = foreseen;
+    return shadow;
 }
 
 // Ends paths of little throughput, without bias.

@@ -7,24 +7,36 @@
 
 typedef struct {
     Ray ray;
-    float3 light; // to add to the path's radiance; 0: nothing to ask
+    float3 light;    // to add to the path's radiance
+    float3 foreseen; // to its control variate (path/control.h); both 0: nothing to ask
 } Shadow;
 
 Shadow no_shadow(void) {
     Shadow shadow;
-    shadow.light = (float3)(0.0f);
+    shadow.light = shadow.foreseen = (float3)(0.0f);
     return shadow;
 }
 
 float largest3(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
 
 // NaN asks too: it has to show.
-bool shadow_asked(const Shadow *shadow) { return shadow->light.x + shadow->light.y + shadow->light.z != 0.0f; }
+bool shadow_asked(const Scene *scene, const Shadow *shadow) {
+    const float3 foreseen = shadow->foreseen;
+    if (HAS(CONTROL) && foreseen.x + foreseen.y + foreseen.z != 0.0f) return true;
+    return shadow->light.x + shadow->light.y + shadow->light.z != 0.0f;
+}
+
+// It arrives.
+void shadow_light(const Scene *scene, PATH_SPACE Path *path, float3 light, float3 foreseen) {
+    path->radiance.xyz += light;
+    if (HAS(CONTROL)) path->foreseen.xyz += foreseen;
+}
 
 // `light` arrives at `position` along `sample` unless something is in the way.
 Shadow shadow_of(float3 position, float3 error, float3 geometric, const LightSample *sample, float3 light) {
     Shadow shadow;
     shadow.light = light;
+    shadow.foreseen = (float3)(0.0f);
     shadow.ray.origin = offset_point(position, error, geometric, sample->direction);
     shadow.ray.direction = sample->direction;
     shadow.ray.t_min = 0.0f;

@@ -61,6 +61,7 @@ float path_cost(const PATH_SPACE Path *path) {
 // The radiance of a path that is done. A sample that is NaN or infinite becomes black; it is counted, and the first remembered.
 void launch_take(const Scene *scene, const Launch *launch, const PATH_SPACE Path *path, Counts *counts) {
     float4 radiance = path->radiance;
+    if (HAS(CONTROL)) radiance.xyz += path->foreseen.xyz * path->surplus.xyz;
     LISTED(radiance.w += path_cost(path);)
     if (isfinite(radiance.x + radiance.y + radiance.z)) {
         launch->radiance[path->slot] = radiance;

@@ -5,13 +5,15 @@
 #include "film/layers.h"
 #include "guide/load.h"
 #include "path/interface.h"
-#include "path/light.h"
+#include "path/control.h"
 #include "walk/medium.h"
 #include "walk/turn.h"
 
 // The path is to walk, from below `surface`.
 void path_below(const Scene *scene, PATH_SPACE Path *path, const Surface *surface) {
     path->state = PATH_WALK;
+    if (GUIDED || HAS(CONTROL))
+        path->outward = (float4)(surface->geometric, dot(surface->geometric, surface->position));
     if (GUIDED && scene->objects[path->object].guided > 0.0f) guide_begin(scene, path, surface);
 }
 
@@ -45,12 +47,13 @@ void path_enter(const Scene *scene, PATH_SPACE Path *path, Sampler sampler, cons
     path->weight.xyz = start.weight;
     path->share.xyz = start.share;
     path->channel = start.channel;
+    if (HAS(CONTROL)) control_begin(scene, path, surface, color * shown);
     counts->value[COUNTER_walks] += 1u;
 }
 
 // Out at `position`: lit there with Lambert's response about `shading`, without surface colour.
 Shadow path_exit(const Scene *scene, PATH_SPACE Path *path, float3 position, float3 error, float3 shading, float3 geometric) {
-    const Sampler sampler = path_sampler(path);
+    const Sampler sampler = HAS(CONTROL) && path->twin != TWIN_NONE ? control_sampler(path) : path_sampler(path);
     path->throughput.xyz *= path->weight.xyz;
     path->state = PATH_RAY;
     const Shadow shadow = light_lambert(scene, path->throughput.xyz, sampler, position, error, shading, geometric);
@@ -98,7 +101,7 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const PATH_SPACE Pa
     LANE_INT(walk->channel, l) = (int)path->channel;
     LANE_FLOAT(walk->first_number, l) = path->first_number;
     LANE_UINT(walk->steps, l) = path->steps;
-    const Sampler sampler = path_sampler(path);
+    const Sampler sampler = HAS(CONTROL) && path->state == PATH_TWIN ? control_sampler(path) : path_sampler(path);
     LANE_UINT(lanes->sampler.key, l) = sampler.key;
     LANE_UINT(lanes->sampler.sample, l) = sampler.sample;
     LANE_UINT(lanes->sampler.vertex, l) = sampler.vertex;
@@ -109,7 +112,9 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const PATH_SPACE Pa
     LANE_UINT(lanes->path, l) = at;
     LANE_FLOAT(lanes->clear, l) = 0.0f;
     if (HAS(CLEARANCE)) clearance_set(&lanes->field, l, &object->clearance);
+    if (GUIDED || HAS(CONTROL)) plane_load(&lanes->guide, l, path);
     if (GUIDED) guide_load(scene, &lanes->guide, l, path);
+    if (HAS(CONTROL)) twin_load(&lanes->twin, l, path);
 }
 
 // Takes what a walk changes back into its path.
@@ -128,10 +133,9 @@ void lane_store(const WalkLanes *lanes, uint l, PATH_SPACE Path *path) {
 }
 
 // What became of walk w of a turn, one of those that `ends` names: out, lost, or turned back at the surface. `layers`: of its path.
-Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, PATH_SPACE Path *path,
+Shadow walk_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, PATH_SPACE Path *path,
                 Counts *counts, global float4 *layers) {
     const Walks bit = (Walks)1 << w;
-    lane_store(GROUP(groups, w / LANES), w % LANES, path);
     bool out = (ends.left & bit) != 0;
     float3 position = path->position.xyz, error = (float3)(0.0f), shading = path->direction.xyz, geometric = shading;
     if (out) {
@@ -168,6 +172,23 @@ Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *st
     if (!isfinite(sum)) path->radiance.xyz = sum; // so that it is counted, not hidden
     path_lose(path, counts, COUNTER_roulette);
     return no_shadow();
+}
+
+// The same, with its twin, which may go on.
+Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, PATH_SPACE Path *path,
+                Counts *counts, global float4 *layers) {
+    const WalkLanes *lanes = GROUP(groups, w / LANES);
+    const uint l = w % LANES;
+    lane_store(lanes, l, path);
+    if (!HAS(CONTROL)) return walk_end(scene, groups, stream, w, ends, path, counts, layers);
+    if (path->state == PATH_TWIN) {
+        control_end(path);
+        return no_shadow();
+    }
+    const float4 plane = path->outward;
+    const Shadow shadow = walk_end(scene, groups, stream, w, ends, path, counts, layers);
+    if ((ends.parted >> w & 1u) != 0u) control_part(path, plane, &lanes->walk, &lanes->twin, l);
+    return shadow;
 }
 
 #endif

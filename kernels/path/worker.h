@@ -27,6 +27,7 @@ typedef struct {
     RayStream stream;
     RayStream shadows;         // rays to lights
     float4 light[STREAM_RAYS]; // what they bring; w: the path's place in the pool
+    float4 foreseen[STREAM_RAYS];
     uint shadow_count;
 } Worker;
 
@@ -38,13 +39,14 @@ void worker_light(const Scene *scene, Worker *worker, Counts *counts) {
                  MEET_ANY AND_PROFILED(counts->profile + PROFILE_shadow_nodes));
     for (uint i = 0; i < worker->shadow_count; i++)
         if (worker->shadows.block[i] == BVH_NO_PRIMITIVE)
-            worker->pool[as_uint(worker->light[i].w)].radiance.xyz += worker->light[i].xyz;
+            shadow_light(scene, worker->pool + as_uint(worker->light[i].w), worker->light[i].xyz, worker->foreseen[i].xyz);
     worker->shadow_count = 0u;
 }
 
 void worker_ask_light(const Scene *scene, Worker *worker, uint at, const Shadow *shadow, Counts *counts) {
-    if (!shadow_asked(shadow)) return;
+    if (!shadow_asked(scene, shadow)) return;
     worker->light[worker->shadow_count] = (float4)(shadow->light, as_float(at));
+    if (HAS(CONTROL)) worker->foreseen[worker->shadow_count].xyz = shadow->foreseen;
     stream_put(&worker->shadows, worker->shadow_count, shadow->ray, scene->frame->bvh_root);
     worker->shadow_count++;
     if (worker->shadow_count == STREAM_RAYS) worker_light(scene, worker, counts);
@@ -55,7 +57,7 @@ void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint 
     const uint state = worker->pool[at].state;
     if (state == PATH_RAY) {
         worker->rays[worker->ray_count++] = (ushort)at;
-    } else if (state == PATH_WALK) {
+    } else if (state == PATH_WALK || (HAS(CONTROL) && state == PATH_TWIN)) {
         worker->walks[worker->walk_count++] = (ushort)at;
     } else if (HAS(DIFFUSION_MODEL) && state == PATH_PROBE) {
         worker->probes[worker->probe_count++] = (ushort)at;
@@ -124,6 +126,10 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
             const Shadow shadow = path_meet(scene, path, stream_hit(&worker->stream, scene->blocks, ray[i]), &surface, shares,
                                             counts, launch_layers(scene, launch, path->slot));
             worker_ask_light(scene, worker, at, &shadow, counts);
+            if (HAS(CONTROL) && path->state == PATH_WALK && path->twin != TWIN_NONE) {
+                const Shadow bounce = control_bounce(scene, path, &surface);
+                worker_ask_light(scene, worker, at, &bounce, counts);
+            }
         }
         worker_light(scene, worker, counts);
         for (uint i = 0; i < part; i++) worker_file(scene, worker, launch, places[i], counts);
@@ -160,7 +166,12 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
         if (worker->walking == 0u || (more && popcount(worker->walking) < WORKER_FEW_LANES)) break;
         if (worker->exhausted && worker->turns++ >= launch->batch.budget) break;
         const TurnEnds ends = walk_turn(scene, worker->lanes, &worker->stream, worker->walking, counts);
-        const Walks ended = ends.left | ends.slipped | ends.ended | ends.capped;
+        if (HAS(CONTROL)) {
+            FOR_WALKS(w, ends.twins)
+                control_take(worker->pool + LANE_UINT(worker->lanes[w / LANES].path, w % LANES),
+                             &worker->lanes[w / LANES].twin, w % LANES);
+        }
+        const Walks ended = turn_ended(ends);
         worker->walking &= ~ended;
         FOR_WALKS(l, ended) {
             const uint at = LANE_UINT(worker->lanes[l / LANES].path, l % LANES);

@@ -28,7 +28,8 @@
     X(SCATTER_AOV)       /* layers of scattering orders, walk.steps */                                                 \
     X(INTERFACE)         /* refracted entry, or reflection inside, somewhere */                                              \
     X(DIFFUSION_MODEL)   /* a material with a subsurface_model other than random_walk */                               \
-    X(ALBEDO_TABLE)      /* a material whose albedo follows a texture of colours, g or bleed */
+    X(ALBEDO_TABLE)      /* a material whose albedo follows a texture of colours, g or bleed */                        \
+    X(CONTROL)           /* walks in some object have a control variate */
 
 SHARED_BEGIN
 

@@ -95,7 +95,8 @@ struct Object {
     uint first_primitive;
     uint closed; // every edge has two triangles: a walk can only leave through the surface
     float guided; // share of the guided techniques in its walks, 0: they are classical
-    uint pad[2];
+    float control_thickness; // where it is thicker walks have a control variate
+    uint pad;
     Clearance clearance; // for walks
 };
 

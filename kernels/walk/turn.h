@@ -7,7 +7,7 @@
 #include "random/sampler.h"
 #include "walk/boundary.h"
 #include "walk/clearance.h"
-#include "walk/walk.h"
+#include "walk/twin.h"
 
 // Groups of lanes in a turn, 64 walks together: that many have rays enough to hide each other's waiting for memory. 32 walks
 // are 2 to 7 % slower.
@@ -52,6 +52,7 @@ typedef struct {
     real clear;                   // lower bound on the distance from its position to the surface
     LaneSampler sampler;
     GuideLanes guide;
+    TwinLanes twin;
     natural root;                 // of its object's tree
     natural depth;                // shells it is inside of
     natural max_depth;            // scatters it may have, 0: no cap
@@ -69,7 +70,11 @@ typedef struct {
     Walks slipped; // out of the scene without meeting the surface; they are as they were before the flight
     Walks ended;   // by roulette, or not finite
     Walks capped;  // by max_depth
+    Walks parted;  // of these: the twin goes on
+    Walks twins;   // not of these: their twins left
 } TurnEnds;
+
+Walks turn_ended(TurnEnds ends) { return ends.left | ends.slipped | ends.ended | ends.capped; }
 
 real clearance_along(const Scene *scene, const WalkLanes *lanes, real t) {
     const Walk *walk = &lanes->walk;
@@ -98,6 +103,7 @@ uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
         walk_direct(scene, walk, &lanes->guide, xi_technique, xi_length, numbers, lanes->sampler, active);
     const real number = pick(walk->steps == 0u, walk->first_number, lane_unit(lanes->words.x));
     lanes->distance = min(walk_distance(scene, walk, &lanes->guide, number), (real)(turn_beyond(scene)));
+    if (HAS(CONTROL)) lanes->twin.drawn = lanes->distance;
     lanes->rounding =
         POSITION_ROUNDING * max(fabs(walk->position.x), max(fabs(walk->position.y), fabs(walk->position.z)));
     return waiting;
@@ -108,7 +114,7 @@ uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
 // Returns the lanes of `active` that have a ray.
 uint turn_rays(const Scene *scene, WalkLanes *lanes, uint active, RayStream *stream, uint row) {
     const Walk *walk = &lanes->walk;
-    uint flying = active;
+    uint flying = HAS(CONTROL) ? active & ~bits(lanes->twin.alone) : active;
     real near = (real)(0.0f), far = lanes->distance;
     if (HAS(CLEARANCE)) { // what a ball about either end reaches is clear
         lanes->clear_end = clearance_along(scene, lanes, lanes->distance);
@@ -165,6 +171,12 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left
     ends.left = left_bits;
     ends.slipped = bits((lanes->distance >= turn_beyond(scene)) | (dot3(walk->position, walk->position) > outside2)) &
                    flown & ~left_bits;
+    ends.parted = ends.twins = 0u;
+    if (HAS(CONTROL)) {
+        ends.slipped &= ~bits(lanes->twin.alone); // those are beyond their object for good
+        ends.twins = twins_leave(scene, &lanes->twin, walk, &lanes->guide, flown);
+        ends.parted = twins_part(scene, &lanes->twin, walk, &lanes->guide, ends.left | ends.slipped);
+    }
     const mask left = mask_of(left_bits), moves = mask_of(flown & ~ends.slipped);
     const real3 position = walk->position, weight = walk->weight, share = walk->share;
     const natural steps = walk->steps;
@@ -178,6 +190,7 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left
     ends.ended = flown & ~bits(survives);
     ends.capped = flown & ~ends.left & ~ends.slipped & ~ends.ended &
                   bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));
+    if (HAS(CONTROL)) ends.ended |= ends.twins & bits(lanes->twin.alone);
     return ends;
 }
 
@@ -196,13 +209,15 @@ TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, Wal
     COUNT_PROFILE(counts, clear_steps, popcount(flown & ~flying))
     COUNT_PROFILE(counts, lane_active, popcount(active))
     const Walks left = turn_trace(scene, groups, stream, flying, counts);
-    TurnEnds all = {0u, 0u, 0u, 0u};
+    TurnEnds all = {0u, 0u, 0u, 0u, 0u, 0u};
     FOR_GROUPS(g, flown) {
         const TurnEnds ends = turn_arrive(scene, GROUP(groups, g), group_bits(flown, g), group_bits(left, g));
         all.left |= ends.left << (g * LANES);
         all.slipped |= ends.slipped << (g * LANES);
         all.ended |= ends.ended << (g * LANES);
         all.capped |= ends.capped << (g * LANES);
+        all.parted |= ends.parted << (g * LANES);
+        all.twins |= ends.twins << (g * LANES);
     }
     counts->value[COUNTER_steps] += popcount(flown);
     return all;

@@ -32,6 +32,7 @@ void read_settings(Fields &root, Reading &reading) {
         render.read_choice("channel_sampling", channel_samplings, settings.channel_sampling);
         render.read_choice("guiding", guidings, settings.guiding);
         render.read("clearance", settings.clearance);
+        render.read("control_variate", settings.control);
         render.finish();
     }
     if (const Json *tree = root.find("device")) {

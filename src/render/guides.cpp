@@ -1,6 +1,7 @@
 #include "render/guides.h"
 #include "base/parallel.h"
 #include "guide/eigenmode.h"
+#include "render/body.h"
 #include "render/light_sides.h"
 #include "scene/mean.h"
 #include <map>
@@ -62,43 +63,18 @@ double light_path(const scene::Scene &scene, const scene::Material &material) {
     return (radius.array() * scale.array() / (1 - g.array()).sqrt()).maxCoeff();
 }
 
-/// Mean of 2 x volume / surface over what `mesh` encloses, in the scene's units: the thickness of a slab, 2/3 of a
-/// ball's radius.
-double thickness(const scene::Mesh &mesh) {
-    double volume = 0, surface = 0;
-    const Vec3 origin = mesh.positions[mesh.triangles[0][0]];
-    for (const auto &corner : mesh.triangles) {
-        const Vec3 a = mesh.positions[corner[0]] - origin, b = mesh.positions[corner[1]] - origin,
-                   c = mesh.positions[corner[2]] - origin;
-        volume += a.dot(b.cross(c)) / 6;
-        surface += (b - a).cross(c - a).norm() / 2;
-    }
-    return surface > 0 ? 2 * std::abs(volume) / surface : 0;
-}
-
 /// How light fares across a body.
 struct Across {
     double scatters; // thickness in transport mean free paths, of the channel with the longest
     double folds;    // e-folds by which deep light falls, of the channel that loses most
 };
 
-/// For a mean colour of the medium, in the diffusion limit: s = sqrt((1 - albedo) / (1 - albedo g)), by van de Hulst's
-/// inversion of the colour, loses sqrt(3) s e-folds in every 1 / (1 - albedo g) mean free paths.
 Across across(const scene::Scene &scene, const scene::Material &material, double thickness) {
     const Vec3 radius = scene::mean_color(scene, material[PARAMETER_subsurface_radius]);
     const Vec3 scale = scene::mean_color(scene, material[PARAMETER_subsurface_radius_scale]);
     const Vec3 g = scene::mean_color(scene, material[PARAMETER_subsurface_scatter_anisotropy]);
-    const Vec3 color = scene::mean_color(scene, material[PARAMETER_subsurface_color]);
-    Across result{HUGE_VAL, 0};
-    for (int c = 0; c < 3; ++c) {
-        const double depth = thickness / (radius[c] * scale[c]) * (1 - g[c]), A = color[c];
-        const double s = material.inversion == INVERSION_NONE
-                             ? std::sqrt((1 - A) / (1 - A * g[c]))
-                             : 4.09712 + 4.20863 * A - std::sqrt(9.59217 + 41.6808 * A + 17.7126 * A * A);
-        result.scatters = std::min(result.scatters, depth);
-        result.folds = std::max(result.folds, std::sqrt(3.) * s * depth / (1 - g[c] * s * s));
-    }
-    return result;
+    const Vec3 transport = radius.array() * scale.array() / (1 - g.array());
+    return {thickness / transport.maxCoeff(), thickness / diffusion_length(scene, material).minCoeff()};
 }
 
 /// Bodies that light hardly notices: every way through them is short, and a guide only costs. Light from everywhere

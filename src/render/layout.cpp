@@ -15,7 +15,7 @@ static_assert(sizeof(Material) == 16 * (PARAMETER_COUNT + 1) + 4 * PARAMETER_COU
 static_assert(sizeof(Texture) == 48 && sizeof(Object) == 80 && sizeof(AliasEntry) == 8);
 static_assert(sizeof(Light) == 112 && offsetof(Light, kind) == 80);
 static_assert(sizeof(Frame) % 16 == 0 && offsetof(Frame, width) == 96);
-static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, bleed) == 160);
+static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, bleed) == 240);
 static_assert(sizeof(Batch) == 32 && sizeof(GuideMode) == 64 && sizeof(LightSides) == 32);
 
 struct Size {

@@ -6,16 +6,16 @@ using namespace shared;
 
 void measure_thickness(const device::Device &device, const device::Program &program, const DeviceScene &scene,
                        device::Recorder &recorder) {
-    if (scene.guided.empty()) return;
+    if (scene.measured.empty()) return;
     const DeviceScene::Entry &out = scene.thickness();
     std::vector<float> thickness(out.bytes / sizeof(float), GUIDE_THICK);
     const cl::Buffer found(device.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, out.bytes, thickness.data());
     cl::Kernel kernel(program.program, "object_thickness");
     const cl_uint argument = scene.bind(kernel);
-    for (const DeviceScene::Guided &guided : scene.guided) {
-        const uint slots = guided.blocks.count * uint(device.quirks.bvh_width);
-        kernel.setArg(argument, guided.object);
-        kernel.setArg(argument + 1, guided.blocks.first);
+    for (const DeviceScene::Measured &object : scene.measured) {
+        const uint slots = object.blocks.count * uint(device.quirks.bvh_width);
+        kernel.setArg(argument, object.object);
+        kernel.setArg(argument + 1, object.blocks.first);
         kernel.setArg(argument + 2, slots);
         kernel.setArg(argument + 3, found);
         recorder.run(device, kernel, slots);

@@ -3,6 +3,7 @@
 #include "device/buffer.h"
 #include "render/camera.h"
 #include "render/clearance.h"
+#include "render/control.h"
 #include "render/convert.h"
 #include "render/guides.h"
 #include "render/inversion.h"
@@ -127,6 +128,8 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.seed = scene.render.seed;
     const bool guided = choose_guided(scene, geometry);
     if (!guided) features &= ~std::uint32_t(FEATURE_GUIDE_EIGEN | FEATURE_GUIDE_DWIVEDI);
+    const bool controlled = choose_control(scene, units, features, geometry);
+    if (controlled) features |= FEATURE_CONTROL;
     frame.features = features | (geometry.clearance.empty() ? 0u : std::uint32_t(FEATURE_CLEARANCE));
     frame.light_count = std::uint32_t(lights.table.size());
     frame.environment_count = lights.environment_count;
@@ -169,10 +172,11 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("similarities", similarities);
     constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
     uploader.add("light_sides", std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike));
-    uploader.add("thickness", std::vector<float>(modes.empty() ? 0 : geometry.world.size(), GUIDE_THICK));
+    uploader.add("thickness", std::vector<float>(guided || controlled ? geometry.world.size() : 0, GUIDE_THICK));
     if (guided) out.light_points = light_points(scene, geometry);
     for (std::size_t i = 0; i < geometry.objects.size(); ++i)
-        if (geometry.objects[i].guided > 0) out.guided.push_back({uint(i), geometry.walk_blocks[i]});
+        if (geometry.objects[i].guided > 0 || geometry.objects[i].control_thickness < GUIDE_THICK)
+            out.measured.push_back({uint(i), geometry.walk_blocks[i]});
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();
     return out;

@@ -34,11 +34,11 @@ struct DeviceScene {
     Startup startup;                          // what of it was spent here
     std::vector<shared::float4> light_points; // for measure_light_sides: positions and normals in turns
     /// For measure_thickness.
-    struct Guided {
+    struct Measured {
         shared::uint object;
         Blocks blocks;
     };
-    std::vector<Guided> guided;
+    std::vector<Measured> measured;
 
     /// What is measured on the device.
     const Entry &sides() const { return buffers[buffers.size() - 2]; }

@@ -95,6 +95,7 @@ struct RenderSettings {
     shared::ChannelSampling channel_sampling = shared::CHANNEL_HERO;
     shared::Guiding guiding = shared::GUIDING_EIGEN;
     bool clearance = true; // build clearance fields where they pay
+    bool control = true;   // walks have a control variate where that pays
     double exposure = 0;   // stops, PNG only
 };
 

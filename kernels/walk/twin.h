@@ -1,0 +1,49 @@
+// A control variate for walks. What a half-space of a medium returns is known: the colour that its albedo was found for. So a
+// walk has a twin, which makes the same flights in the half-space below the plane of the entry, where no mesh is; they part
+// where one of them leaves and the other does not. With the direct light L about both points, whose numbers are not the walk's,
+//     W L(exit) + (R - C) L(entry)
+// has the mean of W L(exit): W and C are the weights with which walk and twin leave (0: roulette), R is the mean of C. Where the
+// surface is flat to the walk W and C are one, L takes the same numbers at both points, and what is left is the noise of a surface
+// that scatters light where it arrives. (Control variates: Hammersley & Handscomb 1964, Monte Carlo Methods, 5.5.) The light that
+// exits see of other surfaces has no part in it.
+#ifndef NACRE_WALK_TWIN_H
+#define NACRE_WALK_TWIN_H
+
+#include "walk/walk.h"
+
+typedef struct {
+    mask inside; // the walk has a twin, still in its half-space
+    mask alone;  // the walk has left its object, the twin goes on
+    real drawn;  // length of the flight if nothing is in its way
+    // Of this turn:
+    real3 left;            // weight with which a twin left its half-space
+    real3 position;        // where one stands that parts from its walk,
+    real3 weight, share;   // and with which weights
+} TwinLanes;
+
+// Lets the twins of the lanes `flown` out that reach their plane, before their walks arrive. Returns those that leave.
+uint twins_leave(const Scene *scene, TwinLanes *twin, const Walk *walk, const GuideLanes *guide, uint flown) {
+    const real rise = dot3(guide->outward, walk->direction), depth = guide->offset - dot3(guide->outward, walk->position);
+    const mask leaves = twin->inside & (rise > 0.0f) & (depth < twin->drawn * rise) & mask_of(flown);
+    const uint left = bits(leaves);
+    if (left == 0u) return 0u;
+    Walk out = *walk;
+    walk_arrive(scene, &out, guide, max(depth, (real)(0.0f)) / pick(leaves, rise, (real)(1.0f)), leaves);
+    twin->left = out.weight;
+    twin->inside = pick(leaves, (mask)(0), twin->inside);
+    return left;
+}
+
+// Of the walks that leave their object in this turn those whose twin does not: it scatters where the flight was to end.
+uint twins_part(const Scene *scene, TwinLanes *twin, const Walk *walk, const GuideLanes *guide, uint leaving) {
+    const uint parted = leaving & bits(twin->inside);
+    if (parted == 0u) return 0u;
+    Walk on = *walk;
+    walk_arrive(scene, &on, guide, twin->drawn, (mask)(0));
+    twin->position = on.position;
+    twin->weight = on.weight;
+    twin->share = on.share;
+    return parted;
+}
+
+#endif

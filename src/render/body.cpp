@@ -1,0 +1,34 @@
+#include "render/body.h"
+#include "scene/mean.h"
+
+namespace nacre::render {
+
+double thickness(const scene::Mesh &mesh) {
+    double volume = 0, surface = 0;
+    const Vec3 origin = mesh.positions[mesh.triangles[0][0]];
+    for (const auto &corner : mesh.triangles) {
+        const Vec3 a = mesh.positions[corner[0]] - origin, b = mesh.positions[corner[1]] - origin,
+                   c = mesh.positions[corner[2]] - origin;
+        volume += a.dot(b.cross(c)) / 6;
+        surface += (b - a).cross(c - a).norm() / 2;
+    }
+    return surface > 0 ? 2 * std::abs(volume) / surface : 0;
+}
+
+Vec3 diffusion_length(const scene::Scene &scene, const scene::Material &material) {
+    const Vec3 radius = scene::mean_color(scene, material[shared::PARAMETER_subsurface_radius]);
+    const Vec3 scale = scene::mean_color(scene, material[shared::PARAMETER_subsurface_radius_scale]);
+    const Vec3 g = scene::mean_color(scene, material[shared::PARAMETER_subsurface_scatter_anisotropy]);
+    const Vec3 color = scene::mean_color(scene, material[shared::PARAMETER_subsurface_color]);
+    Vec3 length;
+    for (int c = 0; c < 3; ++c) {
+        const double A = color[c];
+        const double s = material.inversion == shared::INVERSION_NONE
+                             ? std::sqrt((1 - A) / (1 - A * g[c]))
+                             : 4.09712 + 4.20863 * A - std::sqrt(9.59217 + 41.6808 * A + 17.7126 * A * A);
+        length[c] = radius[c] * scale[c] * (1 - g[c] * s * s) / ((1 - g[c]) * std::sqrt(3.) * s);
+    }
+    return length;
+}
+
+} // namespace nacre::render

@@ -1,0 +1,15 @@
+#pragma once
+#include "scene/scene.h"
+
+namespace nacre::render {
+
+/// Mean of 2 x volume / surface over what `mesh` encloses, in the scene's units: the thickness of a slab, 2/3 of a
+/// ball's radius.
+double thickness(const scene::Mesh &mesh);
+
+/// How far light gets before it is an e-fold weaker deep in a medium, per channel, in the scene's units: of the medium
+/// of the material's mean colours, in the diffusion limit. With s = sqrt((1 - albedo) / (1 - albedo g)), by van de
+/// Hulst's inversion of the colour, that is (1 - albedo g)^-1 mean free paths over sqrt(3) s. Infinite in white.
+Vec3 diffusion_length(const scene::Scene &scene, const scene::Material &material);
+
+} // namespace nacre::render
