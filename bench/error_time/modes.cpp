@@ -34,6 +34,7 @@ const std::vector<Mode> &modes() {
         {"channel_throughput", channel<CHANNEL_THROUGHPUT>},
         {"guiding_none", guide<GUIDING_NONE>},
         {"guiding_dwivedi", guide<GUIDING_DWIVEDI>, isotropic},
+        {"no_control", [](Setup &setup) { setup.scene.render.control = false; }},
         {"no_clearance", [](Setup &setup) { setup.scene.render.clearance = false; }},
         {"lanes_1", side_by_side<1>},
         {"lanes_4", side_by_side<4>},

@@ -20,22 +20,18 @@ struct Options {
 };
 
 constexpr Estimator baseline{GUIDING_NONE, CHANNEL_THROUGHPUT}, lambert{GUIDING_NONE, CHANNEL_HERO};
-constexpr Estimator defaults{GUIDING_EIGEN, CHANNEL_HERO};
+constexpr Estimator defaults{GUIDING_EIGEN, CHANNEL_HERO, true};
 
 struct Result {
     std::string name;
-    std::vector<Figures> figures; // the first is the baseline
+    std::vector<Figures> figures; // the first is the baseline, the last the defaults
     double light_variance = -1;   // without media; models only
 
     double gain(const Figures &figure) const { return figures[0].cost() / figure.cost(); }
     double relative_gain(const Figures &figure) const {
         return figures[0].relative * figures[0].seconds / (figure.relative * figure.seconds);
     }
-    double default_gain() const {
-        for (const Figures &f : figures)
-            if (f.estimator.guiding == defaults.guiding && f.estimator.sampling == defaults.sampling) return gain(f);
-        return 0;
-    }
+    double default_gain() const { return gain(figures.back()); }
 };
 
 struct Verdict {
@@ -52,6 +48,7 @@ std::vector<Estimator> estimators_for(const scene::Scene &scene) {
     for (const Guiding guiding : {GUIDING_NONE, GUIDING_DWIVEDI, GUIDING_EIGEN})
         for (const ChannelSampling sampling : {CHANNEL_THROUGHPUT, CHANNEL_HERO})
             if (guiding != GUIDING_DWIVEDI || isotropic) all.push_back({guiding, sampling});
+    all.push_back(defaults);
     return all;
 }
 

@@ -12,6 +12,7 @@ using namespace shared;
 scene::Scene with(scene::Scene scene, const Estimator &estimator, std::uint32_t seed) {
     scene.render.guiding = estimator.guiding;
     scene.render.channel_sampling = estimator.sampling;
+    scene.render.control = estimator.control;
     scene.render.seed = seed;
     return scene;
 }
@@ -117,7 +118,8 @@ Weights weights_of(const device::Device &device, const Scenario &scenario, const
 std::string name_of(const Estimator &estimator) {
     static const char *const guidings[] = {"none", "dwivedi", "eigen"};
     static const char *const samplings[] = {"single", "albedo", "throughput", "hero"};
-    return std::string(guidings[estimator.guiding]) + "_" + samplings[estimator.sampling];
+    return std::string(guidings[estimator.guiding]) + "_" + samplings[estimator.sampling] +
+           (estimator.control ? "_control" : "");
 }
 
 std::vector<Figures> measure(const device::Device &device, const Scenario &scenario,

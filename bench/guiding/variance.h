@@ -9,9 +9,10 @@ namespace nacre::bench {
 struct Estimator {
     shared::Guiding guiding;
     shared::ChannelSampling sampling;
+    bool control = false; // walks have a control variate
 };
 
-/// "eigen_hero".
+/// "eigen_hero", "eigen_hero_control".
 std::string name_of(const Estimator &estimator);
 
 /// Weights of single samples, the channels' largest: only flat patches show them.

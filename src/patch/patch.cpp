@@ -42,6 +42,7 @@ scene::Scene patch_scene(const scene::Material &material, double depth, int pixe
     scene.file = "patch";
     scene.image = {pixels, pixels};
     scene.render.max_depth = 0;
+    scene.render.control = false; // a control variate would show the colour asked for whatever walks return
     const double radius = 1 / depth;
     scene.camera.kind = CAMERA_ORTHOGRAPHIC;
     scene.camera.position = {0, 0, 0.5};

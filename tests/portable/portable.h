@@ -9,7 +9,8 @@ struct SmallScene {
     std::string name;
     std::vector<io::Override> set = {};
     std::string size = "10x6", spp = "2"; // a ray takes Oclgrind milliseconds
-    int rays = 0;                         // that it takes at least
+    std::string layers = "albedo,N,depth,subsurface.zero,walk.steps";
+    int rays = 0; // that it takes at least
 
     friend void PrintTo(const SmallScene &scene, std::ostream *out) { *out << scene.name; }
     std::string file() const { return NACRE_SCENES "/features/" + name + ".json"; }

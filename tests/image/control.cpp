@@ -1,0 +1,89 @@
+// A walk's twin in a half-space (kernels/walk/twin.h), where its value is known, and however it is brought to the machine.
+#include "image/rendered.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace nacre {
+namespace {
+
+/// A face of a block that is a half-space to walks of this mean free path, seen from straight above in a white sky.
+scene::Scene face(double radius) {
+    return scene_of(fmt::format(R"({{"camera": {{"type": "orthographic", "position": [0, 0, 1], "height": 0.1}},
+        "image": {{"width": 32, "height": 32}}, "render": {{"spp": 1}},
+        "materials": {{"m": {{"subsurface_weight": 1, "subsurface_color": [0.8, 0.5, 0.4], "subsurface_radius": {},
+            "subsurface_radius_scale": [1, 0.35, 0.2], "specular_weight": 0}}}},
+        "objects": [{{"box": {{"min": [-1, -1, -1], "max": [1, 1, 0]}}, "material": "m"}}],
+        "lights": [{{"type": "environment"}}]}})",
+                                radius));
+}
+
+// Walk and twin leave together, in the same light: each sample is the colour, but for where a flight is found to end in
+// a mesh and below a plane: a few 1e-6 of the block's size, in mean free paths of the blue light.
+TEST(Control, EverySampleOfAHalfSpaceIsItsColor) {
+    const double radius = .005;
+    const Rendered found = rendered(face(radius));
+    const double wanted[] = {.8, .5, .4}, tolerance = 1e-5 / (.2 * radius);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(double(found.at(x, y, c)), wanted[c], wanted[c] * tolerance) << x << ", " << y;
+}
+
+// What has no known colour has no control variate: media given by their albedo, other entries, capped walks, thin
+// objects; nor have pictures of scattering orders one. Then nothing of it is in the program.
+TEST(Control, OnlyWhereTheColorIsKnown) {
+    const auto controlled = [](const scene::Scene &scene, const render::Layers &layers = {}) {
+        render::Options options;
+        options.layers = layers;
+        return std::ranges::count(rendered(scene, options).statistics.features, "control") == 1;
+    };
+    const scene::Scene known = face(.005);
+    EXPECT_TRUE(controlled(known));
+    const auto changed = [&](auto &&change) {
+        scene::Scene scene = known;
+        change(scene);
+        return scene;
+    };
+    EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.materials[0].inversion = shared::INVERSION_NONE; })));
+    EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.materials[0].inversion = shared::INVERSION_MEMO; })));
+    EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.materials[0].entry = shared::ENTRY_REFRACTED; })));
+    EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.materials[0].internal_reflection = true; })));
+    EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.materials[0].max_depth = 1000; })));
+    EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.render.control = false; })));
+    EXPECT_FALSE(controlled(face(2)));
+    EXPECT_FALSE(controlled(known, {.zero = true}));
+}
+
+// Twins that part from their walks and go on for long, past the ends of launches: the same to the bit in any number of
+// lanes, with and without clearance fields, in the program that knows all features.
+TEST(Control, SameImageHoweverItIsTraced) {
+    scene::Scene scene = scene_of(R"({"image": {"width": 32, "height": 32}, "render": {"spp": 4},
+        "camera": {"position": [0, 0, 5], "target": [0, 0, 0], "fov": 26},
+        "materials": {"m": {"subsurface_weight": 1, "subsurface_color": [0.97, 0.9, 0.8], "subsurface_radius": 0.02,
+            "subsurface_scatter_anisotropy": 0.3}},
+        "objects": [{"sphere": {"segments": 64}, "material": "m"}],
+        "lights": [{"type": "environment", "visible": false}]})");
+    const Rendered found = rendered(scene);
+    EXPECT_EQ(std::ranges::count(found.statistics.features, "control"), 1);
+    const auto launches = [&](const std::string &name) {
+        for (const render::Statistics::Kernel &kernel : found.statistics.kernels)
+            if (kernel.compiled.name == name) return kernel.launches;
+        return std::uint64_t(0);
+    };
+    EXPECT_GT(launches("trace_paths"), launches("accumulate")) << "no walk was suspended";
+    render::Options options;
+    options.generic = true;
+    expect_same_pixels(found.picture, rendered(scene, options).picture);
+    for (const int lanes : lane_counts()) {
+        SCOPED_TRACE(lanes);
+        scene.lanes = lanes;
+        expect_same_pixels(found.picture, rendered(scene).picture);
+    }
+    scene.render.clearance = false;
+    expect_same_pixels(found.picture, rendered(scene).picture);
+}
+
+} // namespace
+} // namespace nacre
