@@ -57,8 +57,12 @@ void path_begin(const Scene *scene, PATH_SPACE Path *path, uint x, uint y, uint 
     path->key = sampler_key(scene->frame->seed, path->pixel, sample);
 }
 
-// Which of its pixel's camera rays a sample has. Behind a lens each has its own: what is out of focus is noise of the ray.
-uint camera_ray_of(const Scene *scene, uint sample) { return HAS(LENS) ? sample : sample / CAMERA_RAY_SAMPLES; }
+// Which of its pixel's camera rays a sample has. Behind a lens each has its own: what is out of focus is noise of the ray. So has
+// each where walks have control variates: what is left is noise of the place in the pixel. The memo's head has .75 (g 0) and .88
+// times (g .8) the relative variance for it, for 4 % more time.
+uint camera_ray_of(const Scene *scene, uint sample) {
+    return HAS(LENS) || HAS(CONTROL) ? sample : sample / CAMERA_RAY_SAMPLES;
+}
 
 bool path_shares_ray(const Scene *scene, const PATH_SPACE Path *path, const PATH_SPACE Path *other) {
     return path->pixel == other->pixel && camera_ray_of(scene, path->sample) == camera_ray_of(scene, other->sample);
