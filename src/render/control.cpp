@@ -8,9 +8,9 @@ namespace {
 
 using namespace shared;
 
-/// In diffusion lengths. In relative variance times time balls and the memo's head are 1.2 to 30 times as good from there
-/// on (a ball of .56 lengths, mean free path a tenth of its size: 2.3 times); thinner, a ball of .19 is .93 times and the
-/// bear, whose twins walk far, .5 times as good.
+/// In diffusion lengths. In relative variance times time balls and the memo's head are 1.2 to 30 times as good from
+/// there on (a ball of .56 lengths, mean free path a tenth of its size: 2.3 times); thinner, a ball of .19 is .93 times
+/// and the bear, whose twins walk far, .5 times as good.
 constexpr double least_thickness = .25;
 
 /// Colours are known to 2e-5 within the table of inversions.

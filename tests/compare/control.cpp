@@ -54,9 +54,7 @@ scene::Scene ball(double radius, const std::string &parameters = "", const std::
 TEST(Control, DenseBall) { expect_same(ball(.004), 10); }
 TEST(Control, ForwardBall) { expect_same(ball(.004, R"(, "subsurface_scatter_anisotropy": 0.8)"), 4); }
 TEST(Control, BleedingBall) { expect_same(ball(.01, R"(, "subsurface_bleed": 0.5)"), 3); }
-TEST(Control, BallOfThreePhases) {
-    expect_same(ball(.01, R"(, "subsurface_scatter_anisotropy": [0.8, 0, -0.5])"), 3);
-}
+TEST(Control, BallOfThreePhases) { expect_same(ball(.01, R"(, "subsurface_scatter_anisotropy": [0.8, 0, -0.5])"), 3); }
 // Most twins part from their walks, and go far.
 TEST(Control, ThinBall) { expect_same(ball(.2), 1.1); }
 TEST(Control, ClassicalWalks) {

@@ -1,4 +1,5 @@
-// A walk's twin in a half-space (kernels/walk/twin.h), where its value is known, and however it is brought to the machine.
+// A walk's twin in a half-space (kernels/walk/twin.h), where its value is known, and however it is brought to the
+// machine.
 #include "image/rendered.h"
 #include <algorithm>
 #include <cmath>

@@ -141,6 +141,7 @@ TEST(ScatterLayers, FirstWalkDecides) {
 // Nothing is compiled or kept for layers that nobody asked for, and asking for them does not touch the others.
 TEST(ScatterLayers, CostNothingUnlessAskedFor) {
     scene::Scene scene = io::load_scene(NACRE_SCENES "/features/skin.json");
+    scene.render.control = false; // pictures of orders have none, and are to be the same here
     scene.image = {32, 32};
     scene.render.spp = 3;
     const auto bytes = [](const Rendered &image, const std::string &name) {

@@ -81,9 +81,8 @@ void Probes::expect_ran(const Outcome &outcome) {
 }
 
 std::vector<std::string> options_of(const SmallScene &scene) {
-    std::vector<std::string> all{"--size",   scene.size, "--spp",
-                                 scene.spp,  "--aov",    scene.layers,
-                                 "--strict", "--quiet"};
+    std::vector<std::string> all{"--size", scene.size,   "--spp",    scene.spp,
+                                 "--aov",  scene.layers, "--strict", "--quiet"};
     for (const auto &[what, value] : scene.set) all.insert(all.end(), {"--set", what + "=" + value});
     return all;
 }
