@@ -23,9 +23,9 @@ Vec3 diffusion_length(const scene::Scene &scene, const scene::Material &material
     Vec3 length;
     for (int c = 0; c < 3; ++c) {
         const double A = color[c];
-        const double s = material.inversion == shared::INVERSION_NONE
-                             ? std::sqrt((1 - A) / (1 - A * g[c]))
-                             : 4.09712 + 4.20863 * A - std::sqrt(9.59217 + 41.6808 * A + 17.7126 * A * A);
+        const double fit = 4.09712 + 4.20863 * A - std::sqrt(9.59217 + 41.6808 * A + 17.7126 * A * A);
+        const double s = material.inversion == shared::INVERSION_NONE ? std::sqrt((1 - A) / (1 - A * g[c]))
+                                                                      : std::max(0., fit); // -5e-6 in white
         length[c] = radius[c] * scale[c] * (1 - g[c] * s * s) / ((1 - g[c]) * std::sqrt(3.) * s);
     }
     return length;

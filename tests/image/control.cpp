@@ -54,6 +54,10 @@ TEST(Control, OnlyWhereTheColorIsKnown) {
     EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.materials[0].max_depth = 1000; })));
     EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.render.control = false; })));
     EXPECT_FALSE(controlled(face(2)));
+    // In white a twin that parts would walk for ever.
+    EXPECT_FALSE(controlled(changed([](scene::Scene &s) {
+        s.materials[0][shared::PARAMETER_subsurface_color].value = {1, .5, .4};
+    })));
     EXPECT_FALSE(controlled(known, {.zero = true}));
 }
 
