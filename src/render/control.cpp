@@ -2,17 +2,24 @@
 #include "render/body.h"
 #include "shared/guide.h"
 #include "shared/inversion.h"
+#include <cmath>
 
 namespace nacre::render {
 namespace {
 
 using namespace shared;
 
-/// In diffusion lengths. In relative variance times time balls and the memo's head are 1.2 to 30 times as good from
-/// there on (a ball of .56 lengths, mean free path a tenth of its size: 2.3 times); thinner, a ball of .19 is .93 times
-/// and the bear, whose twins walk far, .5 times as good.
-/// Under an image of the sky (scenes/features/environment_image.json) .9 times.
-constexpr double least_thickness = .25;
+/// From which thickness on a control variate pays in a medium with these diffusion lengths. It takes away the noise of
+/// the channels' weights. A grey medium has next to none, guided walks return about the same weight each, and there
+/// twins that part from their walks bring more noise than they take. Where the variance times time of balls under a
+/// lamp and some sky is as good with as without, g 0 and .8, in the largest of the lengths: .25 where the least is a
+/// twentieth or a tenth of it (skin, milk), .5 at .3 (marble), 1.1 at .44, 1.5 to 2 at .6, and 6 to 12 where all are
+/// alike. This is a fit to those. Under an image of the sky (scenes/features/environment_image.json) it is .9 times as
+/// good all the same.
+double least_thickness(const Vec3 &lengths) {
+    const double largest = lengths.maxCoeff();
+    return largest > 0 ? .25 * std::pow(30., lengths.minCoeff() / largest) * largest : 0;
+}
 
 /// Colours are known to 1e-4 within the table of inversions (build/bench/inversion).
 bool in_table(const scene::Material &material) {
@@ -37,8 +44,8 @@ bool choose_control(const scene::Scene &scene, const scene::Frame &frame, std::u
         const scene::Material &material = scene.materials[object.material];
         geometry.objects[i].control_thickness = GUIDE_THICK;
         if (!scene.render.control || (features & FEATURE_SCATTER_AOV) || !knows_color(material)) continue;
-        const double least = least_thickness * diffusion_length(scene, material).maxCoeff();
-        if (thickness(object.mesh) < least) continue;
+        const double least = least_thickness(diffusion_length(scene, material));
+        if (!(thickness(object.mesh) >= least)) continue; // nor in white, where it is infinite or NaN
         geometry.objects[i].control_thickness = float(least / frame.size);
         some = true;
     }
