@@ -1,6 +1,7 @@
 #include "guiding/guide_scenes.h"
 #include "base/error.h"
 #include "io/load.h"
+#include "render/body.h"
 #include <fmt/format.h>
 #include <numbers>
 
@@ -11,8 +12,6 @@ using namespace shared;
 
 constexpr int pixels = 128; // a side
 
-// Deep and wide enough to be a half-space to the brightest medium, whose light falls by e in 330 mean free paths.
-constexpr double half_space_size = 4000;
 // Wide enough for light of slabs not to reach the edge.
 constexpr double slab_width = 200;
 // What the camera sees of a flat patch.
@@ -44,6 +43,14 @@ scene::Scene scene_of(const Medium &medium, scene::Mesh mesh, double height) {
 /// A box below z = 0, seen from above.
 scene::Scene box(const Medium &medium, double width, double thickness) {
     return scene_of(medium, scene::make_box({-width / 2, -width / 2, -thickness}, {width / 2, width / 2, 0}), patch);
+}
+
+/// A block so large that no light of its middle gets to its sides: of walks in one of 12 diffusion lengths a few do, with
+/// weights to 15, since guides know nothing of sides.
+scene::Scene half_space(const Medium &medium) {
+    const scene::Scene unit = box(medium, 1, 1);
+    const double size = std::max(4000., 60 * render::diffusion_length(unit, unit.materials[0]).maxCoeff());
+    return box(medium, size, size);
 }
 
 scene::Scene lit_from_everywhere(scene::Scene scene) {
@@ -103,7 +110,7 @@ std::vector<Scenario> body_scenarios(bool full) {
         all.push_back({name_of(body, medium), std::move(scene), flat});
     };
     for (const Medium &m : media(full)) {
-        add("half_space", m, lit_from_everywhere(box(m, half_space_size, half_space_size)), true);
+        add("half_space", m, lit_from_everywhere(half_space(m)), true);
         add("slab1_both", m, lit_from_everywhere(box(m, slab_width, 1)), true);
         add("slab1_behind", m, lit_from_behind(box(m, slab_width, 1)), true);
         add("slab5_both", m, lit_from_everywhere(box(m, slab_width, 5)), true);

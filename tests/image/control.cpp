@@ -61,18 +61,22 @@ TEST(Control, OnlyWhereTheColorIsKnown) {
     EXPECT_FALSE(controlled(known, {.zero = true}));
 }
 
-// Walks in grey media have little noise of their own: there a body must be thicker for twins to be worth their time.
-TEST(Control, GreyMediaAskForThickerBodies) {
-    const auto controlled = [](const Vec3 &color, const Vec3 &scale, double radius) {
+// Walks in grey media have little noise of their own, and under bleed twins go far: there a body must be thicker for them
+// to be worth their time.
+TEST(Control, GreyAndBleedingMediaAskForThickerBodies) {
+    const auto controlled = [](const Vec3 &color, const Vec3 &scale, double radius, double bleed = 0) {
         scene::Scene scene = face(radius); // .4 thick in the mean
         scene.materials[0][shared::PARAMETER_subsurface_color].value = color;
         scene.materials[0][shared::PARAMETER_subsurface_radius_scale].value = scale;
+        scene.materials[0][shared::PARAMETER_subsurface_bleed].value.setConstant(bleed);
         return std::ranges::count(rendered(scene).statistics.features, "control") == 1;
     };
     const Vec3 grey = {.8, .8, .8}, even = {1, 1, 1}; // diffusion length: 5.9 mean free paths
     EXPECT_TRUE(controlled(grey, even, .005));
     EXPECT_FALSE(controlled(grey, even, .02));
     EXPECT_TRUE(controlled(grey, {1, .35, .2}, .02));
+    EXPECT_TRUE(controlled(grey, {1, .35, .2}, .02, .5));
+    EXPECT_FALSE(controlled(grey, {1, .35, .2}, .02, 1));
     EXPECT_TRUE(controlled({.8, .5, .4}, even, .02));
     EXPECT_FALSE(controlled({1, 1, 1}, even, .005));
 }
