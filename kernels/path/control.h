@@ -14,7 +14,6 @@
 bool control_pays(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface) {
     global const Object *object = scene->objects + surface->object;
     if (path->hits > 1u || !(scene->thickness[surface->primitive] > object->control_thickness)) return false;
-    if (!GUIDED || !(object->guided > 0.0f)) return true;
     return guide_far_light(scene->sides + surface->object, surface->geometric) < CONTROL_MOST_FAR_LIGHT;
 }
 

@@ -21,13 +21,15 @@ bool has_sides(const scene::Scene &scene) {
            (scene::features(scene, false, false) & FEATURE_EMISSION);
 }
 
+bool is_measured(const Object &object) { return object.guided > 0 || object.control_thickness < GUIDE_THICK; }
+
 std::vector<float4> light_points(const scene::Scene &scene, const Geometry &geometry) {
     std::vector<float4> points;
     if (!has_sides(scene)) return points;
     std::mt19937 random(1);
     std::uniform_real_distribution<float> unit(0, 1);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (!geometry.objects[i].guided) continue;
+        if (!is_measured(geometry.objects[i])) continue;
         const std::span<const accel::Triangle> triangles(geometry.world.data() + geometry.objects[i].first_primitive,
                                                          scene.objects[i].mesh.triangles.size());
         std::vector<double> areas;

@@ -9,11 +9,14 @@ namespace nacre::render {
 /// radiance.
 bool has_sides(const scene::Scene &scene);
 
-/// Points on the surfaces of the objects with guided walks, spread by area: for each position (w: its object) and unit
+/// Whether walks ask how thick an object is and where its light comes from: those with a guide or a control variate.
+bool is_measured(const shared::Object &object);
+
+/// Points on the surfaces of the objects that are measured, spread by area: for each position (w: its object) and unit
 /// normal. Empty where all sides have the same light.
 std::vector<shared::float4> light_points(const scene::Scene &scene, const Geometry &geometry);
 
-/// Measures the light on these points with the kernel of `program` and tells the scene's guides which sides of its
+/// Measures the light on these points with the kernel of `program` and tells the scene's walks which sides of its
 /// objects have more. Until then they take all for equal.
 void measure_light_sides(const device::Device &device, const device::Program &program, const DeviceScene &scene,
                          device::Recorder &recorder);

@@ -171,12 +171,12 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("guide", modes);
     uploader.add("similarities", similarities);
     constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
-    uploader.add("light_sides", std::vector<LightSides>(modes.empty() ? 0 : scene.objects.size(), alike));
-    uploader.add("thickness", std::vector<float>(guided || controlled ? geometry.world.size() : 0, GUIDE_THICK));
-    if (guided) out.light_points = light_points(scene, geometry);
+    const bool measured = guided || controlled;
+    uploader.add("light_sides", std::vector<LightSides>(measured ? scene.objects.size() : 0, alike));
+    uploader.add("thickness", std::vector<float>(measured ? geometry.world.size() : 0, GUIDE_THICK));
+    if (measured) out.light_points = light_points(scene, geometry);
     for (std::size_t i = 0; i < geometry.objects.size(); ++i)
-        if (geometry.objects[i].guided > 0 || geometry.objects[i].control_thickness < GUIDE_THICK)
-            out.measured.push_back({uint(i), geometry.walk_blocks[i]});
+        if (is_measured(geometry.objects[i])) out.measured.push_back({uint(i), geometry.walk_blocks[i]});
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();
     return out;
