@@ -77,7 +77,7 @@ class ControlOf : public testing::TestWithParam<const char *> {};
 // Highlights, textures, floors, every kind of light, several shells, a hole.
 TEST_P(ControlOf, SamePicture) {
     scene::Scene scene = io::load_scene(fmt::format("{}/features/{}.json", NACRE_SCENES, GetParam()),
-                                        {{"materials.thing.subsurface_radius", "0.08"}});
+                                        {{"materials.thing.subsurface_radius", "0.05"}});
     scene.camera.fov = 22;
     scene.image.width = scene.image.height = 48;
     expect_same(scene, 1);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "device/cache.h"
 #include "device/source.h"
+#include "shared/features.h"
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -37,6 +38,22 @@ TEST(Program, SecondBuildComesFromTheCache) {
     EXPECT_TRUE(again.cached);
     EXPECT_NO_THROW(cl::Kernel(again.program, "probe_closest"));
     fs::remove(entry_of(again));
+}
+
+// Warnings land on a user's terminal. A driver with a cache of its own may only tell them the first time.
+TEST(Program, CompilesWithoutAWord) {
+    using namespace shared;
+    device::Device device = device::open_device();
+    device.quirks.binary_cache = false;
+    const std::uint32_t all = FEATURE_ALL, walks = FEATURE_SUBSURFACE | FEATURE_ENVIRONMENT;
+    for (const std::uint32_t features :
+         std::initializer_list<std::uint32_t>{all, all & ~std::uint32_t(FEATURE_CONTROL), walks,
+                                              walks | FEATURE_CONTROL, FEATURE_DIFFUSE | FEATURE_RECT}) {
+        device::Variant variant;
+        variant.features = features;
+        variant.lanes = device.quirks.lanes;
+        EXPECT_EQ(device::build(device, variant).log, "") << "features " << features;
+    }
 }
 
 TEST(Program, BrokenCacheEntryIsRebuilt) {
