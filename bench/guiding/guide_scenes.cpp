@@ -45,8 +45,8 @@ scene::Scene box(const Medium &medium, double width, double thickness) {
     return scene_of(medium, scene::make_box({-width / 2, -width / 2, -thickness}, {width / 2, width / 2, 0}), patch);
 }
 
-/// A block so large that no light of its middle gets to its sides: of walks in one of 12 diffusion lengths a few do, with
-/// weights to 15, since guides know nothing of sides.
+/// A block so large that no light of its middle gets to its sides: of walks in one of 12 diffusion lengths a few do,
+/// with weights to 15, since guides know nothing of sides.
 scene::Scene half_space(const Medium &medium) {
     const scene::Scene unit = box(medium, 1, 1);
     const double size = std::max(4000., 60 * render::diffusion_length(unit, unit.materials[0]).maxCoeff());

@@ -61,8 +61,8 @@ TEST(Control, OnlyWhereTheColorIsKnown) {
     EXPECT_FALSE(controlled(known, {.zero = true}));
 }
 
-// Walks in grey media have little noise of their own, and under bleed twins go far: there a body must be thicker for them
-// to be worth their time.
+// Walks in grey media have little noise of their own, and under bleed twins go far: there a body must be thicker for
+// them to be worth their time.
 TEST(Control, GreyAndBleedingMediaAskForThickerBodies) {
     const auto controlled = [](const Vec3 &color, const Vec3 &scale, double radius, double bleed = 0) {
         scene::Scene scene = face(radius); // .4 thick in the mean
