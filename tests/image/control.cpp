@@ -65,7 +65,7 @@ TEST(Control, OnlyWhereTheColorIsKnown) {
 // them to be worth their time.
 TEST(Control, GreyAndBleedingMediaAskForThickerBodies) {
     const auto controlled = [](const Vec3 &color, const Vec3 &scale, double radius, double bleed = 0) {
-        scene::Scene scene = face(radius); // .4 thick in the mean
+        scene::Scene scene = face(radius); // .5 thick in the mean
         scene.materials[0][shared::PARAMETER_subsurface_color].value = color;
         scene.materials[0][shared::PARAMETER_subsurface_radius_scale].value = scale;
         scene.materials[0][shared::PARAMETER_subsurface_bleed].value.setConstant(bleed);
