@@ -42,6 +42,7 @@ const std::vector<Mode> &modes() {
         {"lanes_16", side_by_side<16>},
         {"generic", [](Setup &setup) { setup.options.generic = true; }},
         {"adaptive", adaptive},
+        {"highlights_1", [](Setup &setup) { setup.options.definitions = "-DHIGHLIGHT_CANDIDATES=1u"; }},
         {"sampler_random", [](Setup &setup) { setup.options.definitions = "-DSOBOL_VERTICES=0u"; }},
         {"roulette_none", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.0f"; }},
         {"roulette_0.1", [](Setup &setup) { setup.options.definitions = "-DWALK_ROULETTE=0.1f"; }},

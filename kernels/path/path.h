@@ -4,6 +4,7 @@
 
 #include "camera/camera.h"
 #include "diffusion/diffusion.h"
+#include "path/highlight.h"
 
 // Paths past this many surface hits play Russian roulette with their largest throughput.
 #ifndef PATH_ROULETTE_START
@@ -147,21 +148,23 @@ Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Mate
     const Sampler sampler = path_sampler(path);
     const float2 lobe = draw_pair(sampler, DRAW_LOBE);
     LightSample sample;
-    const Receiver receiver = receiver_at(surface->position, surface->geometric);
     const bool foresees = HAS(CONTROL) && control_pays(scene, path, surface);
+    Specular specular;
+    const bool shiny = HAS(SPECULAR) && specular_at(scene, material, surface, view, &specular);
+    const float4 base = shiny ? base_at(scene, material, surface->uv) : (float4)(0.0f);
+    const uint candidates = shiny && path->hits == 1u ? highlight_candidates(scene, &specular, surface->position, view) : 1u;
     const bool lit = (HAS(SPECULAR) || HAS(DIFFUSE) || foresees) && scene_samples_lights(scene) &&
-                     light_sample(scene, sampler, &receiver, &sample) &&
+                     highlight_sample(scene, sampler, surface, &specular, largest3(base.xyz) + PATH_LEAST_COLOR, candidates,
+                                      &sample) &&
                      dot(sample.direction, surface->geometric) > 0.0f;
     float3 direct = (float3)(0.0f), foreseen = (float3)(0.0f);
     bool reflected = false;
-    Specular specular;
-    if (HAS(SPECULAR) && specular_at(scene, material, surface, view, &specular)) {
+    if (shiny) {
         if (lit) {
             const float3 r = specular_eval(&specular, sample.direction);
             direct += path->throughput.xyz * r * light_share(&sample, specular_density(r));
         }
-        reflected = path_reflect(path, &specular, base_at(scene, material, surface->uv),
-                                 draw_pair(sampler, DRAW_MICROFACET), lobe.x);
+        reflected = path_reflect(path, &specular, base, draw_pair(sampler, DRAW_MICROFACET), lobe.x);
     }
     if (!reflected) {
         const float subsurface =
@@ -186,6 +189,7 @@ Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Mate
     if (path->state == PATH_RAY) {
         path->position.xyz = offset_point(surface->position, surface->error, surface->geometric, path->direction.xyz);
         path->outward.xyz = surface->geometric;
+        path->direction.w /= (float)candidates; // for the balance with so many draws of lights
     }
     if (!lit) return no_shadow();
     Shadow shadow = shadow_of(surface->position, surface->error, surface->geometric, &sample, direct * sample.radiance);
