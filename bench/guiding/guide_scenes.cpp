@@ -70,11 +70,25 @@ scene::Scene sphere(const Medium &medium, double radius) {
     return scene_of(medium, scene::make_sphere({0, 0, 0}, radius, 128), 2 * radius);
 }
 
+/// A model in its own material, but for g and bleed.
 scene::Scene load_model(const std::string &name, const std::string &material, const Medium &medium) {
     const std::string set = "materials." + material + ".subsurface_";
-    return io::load_scene(fmt::format("{}/{}/{}.json", NACRE_SCENES, name, name),
-                          {{set + "scatter_anisotropy", fmt::format("{}", medium.anisotropy)},
-                           {set + "bleed", fmt::format("{}", medium.bleed)}});
+    scene::Scene scene = io::load_scene(fmt::format("{}/{}/{}.json", NACRE_SCENES, name, name),
+                                        {{set + "scatter_anisotropy", fmt::format("{}", medium.anisotropy)},
+                                         {set + "bleed", fmt::format("{}", medium.bleed)}});
+    scene.image = {pixels, pixels * scene.image.height / scene.image.width};
+    return scene;
+}
+
+/// The same in the medium that the other bodies are of, without a reflecting layer, as they are.
+scene::Scene in_medium(scene::Scene scene, const std::string &material, const Medium &medium) {
+    for (scene::Material &m : scene.materials) {
+        if (m.name != material) continue;
+        m[PARAMETER_specular_weight] = {};
+        m[PARAMETER_subsurface_color] = {medium.color};
+        m[PARAMETER_subsurface_radius_scale] = {medium.radius_scale};
+    }
+    return scene;
 }
 
 /// Files of the head are not in this repository.
@@ -127,10 +141,9 @@ std::vector<Scenario> model_scenarios(bool full) {
     std::vector<Scenario> all;
     for (const Medium &medium : media(full)) {
         if (medium.name != "skin") continue; // the model has a colour of its own
-        scene::Scene scene = load_model(name, material, medium);
-        scene.image = {pixels, pixels * scene.image.height / scene.image.width};
-        all.push_back(
-            {fmt::format("{}/{}/g{:g}/b{:g}", name, material, medium.anisotropy, medium.bleed), std::move(scene)});
+        const scene::Scene scene = load_model(name, material, medium);
+        all.push_back({name_of((name + "_matte").c_str(), medium), in_medium(scene, material, medium)});
+        all.push_back({fmt::format("{}/{}/g{:g}/b{:g}", name, material, medium.anisotropy, medium.bleed), scene});
     }
     return all;
 }

@@ -90,6 +90,9 @@ std::vector<Verdict> judge(const std::vector<Result> &results) {
                                            {"half_space/grey0.95/g0.8/b0", 10.},
                                            {"slab1_behind/skin/g0/b0", 2.},
                                            {"slab1_behind/skin/g0.8/b0", 2.},
+                                           {"head_matte/skin/g0/b0", 1.5},
+                                           {"head_matte/skin/g0.8/b0", 1.5},
+                                           {"head/skin/g0/b0", 1.5},
                                            {"head/skin/g0.8/b0", 1.5}})
             if (result.name == name) verdicts.push_back({name, result.default_gain(), wanted});
         least = std::min(least, result.default_gain());

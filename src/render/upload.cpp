@@ -126,10 +126,10 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.crop_width = crop.width();
     frame.crop_height = crop.height();
     frame.seed = scene.render.seed;
-    const bool guided = choose_guided(scene, geometry);
-    if (!guided) features &= ~std::uint32_t(FEATURE_GUIDE_EIGEN | FEATURE_GUIDE_DWIVEDI);
     const bool controlled = choose_control(scene, units, features, geometry);
     if (controlled) features |= FEATURE_CONTROL;
+    const bool guided = choose_guided(scene, geometry); // by what choose_control has found
+    if (!guided) features &= ~std::uint32_t(FEATURE_GUIDE_EIGEN | FEATURE_GUIDE_DWIVEDI);
     frame.features = features | (geometry.clearance.empty() ? 0u : std::uint32_t(FEATURE_CLEARANCE));
     frame.light_count = std::uint32_t(lights.table.size());
     frame.environment_count = lights.environment_count;
