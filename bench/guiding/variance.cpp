@@ -61,11 +61,12 @@ Variance pair_variance(const std::vector<double> &a, const std::vector<double> &
 /// One estimator's pictures of a scene: one of a flat patch, else two, to see how far they lie apart.
 class Pictures {
   public:
-    Pictures(const device::Device &device, const Scenario &scenario, const Estimator &estimator, std::uint32_t samples)
+    Pictures(const device::Device &device, const Scenario &scenario, const Estimator &estimator, std::uint32_t samples,
+             const render::Options &options = {})
         : samples(samples) {
         for (std::uint32_t seed = 0; seed < (scenario.flat ? 1u : 2u); ++seed)
             sessions.push_back(
-                std::make_unique<render::Session>(device, with(scenario.scene, estimator, seed), render::Options{}));
+                std::make_unique<render::Session>(device, with(scenario.scene, estimator, seed), options));
     }
 
     /// Takes the samples and returns the kernels' seconds per sample. Again and again the same ones: the mean stays.
@@ -145,7 +146,9 @@ std::vector<Figures> measure(const device::Device &device, const Scenario &scena
 
 double variance_of(const device::Device &device, const Scenario &scenario, const Estimator &estimator,
                    std::uint32_t samples) {
-    Pictures pictures(device, scenario, estimator, samples);
+    render::Options options;
+    options.definitions = "-DCAMERA_RAY_SAMPLES=1u"; // as beside control variates
+    Pictures pictures(device, scenario, estimator, samples, options);
     pictures.render();
     return pictures.variance().plain;
 }

@@ -35,7 +35,7 @@ struct Figures {
 std::vector<Figures> measure(const device::Device &device, const Scenario &scenario,
                              std::span<const Estimator> estimators, std::uint32_t samples, int runs);
 
-/// Variance alone, as in Figures.
+/// Variance alone, as in Figures; every sample has a camera ray of its own.
 double variance_of(const device::Device &device, const Scenario &scenario, const Estimator &estimator,
                    std::uint32_t samples);
 

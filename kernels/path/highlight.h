@@ -60,10 +60,10 @@ bool highlight_sample(const Scene *scene, Sampler sampler, const Surface *surfac
         if (!light_sample(scene, own, &receiver, &candidate)) continue;
         candidate.density *= (float)candidates;
         const float shown = candidates > 1u ? highlight_shown(surface, specular, below, &candidate) : 1.0f;
-        if (!(shown > 0.0f)) continue;
+        if (shown <= 0.0f) continue;
         sum += shown;
         const float chance = shown / sum; // that it takes the place of those before
-        if (xi < chance) {
+        if (!(xi >= chance)) { // NaN is taken: it has to show
             *sample = candidate;
             taken = shown;
             xi /= chance;
@@ -71,7 +71,7 @@ bool highlight_sample(const Scene *scene, Sampler sampler, const Surface *surfac
             xi = (xi - chance) / (1.0f - chance);
         }
     }
-    if (!(sum > 0.0f)) return false;
+    if (sum == 0.0f) return false;
     sample->radiance *= sum / (taken * (float)candidates);
     return true;
 }

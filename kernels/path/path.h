@@ -20,10 +20,12 @@
 // Samples of a pixel, from an even one on, that share a camera ray: traced once, it serves the walks of both, which most noise is
 // of: relative variance is .97 to 1.0 of what it was at 16 to 32 samples. But what the position in the pixel alone decides is twice
 // as noisy: slivers lit from behind, in small pictures. Adaptive renders take samples for independent, and would not see that.
+#ifndef CAMERA_RAY_SAMPLES
 #ifdef TILE_LIST
 #define CAMERA_RAY_SAMPLES 1u
 #else
 #define CAMERA_RAY_SAMPLES 2u
+#endif
 #endif
 
 // Which pixel of the whole image is at `index` of the tile order; false: beyond the crop's edge.
