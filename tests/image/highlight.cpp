@@ -1,9 +1,8 @@
 // Lamps that a reflecting layer mirrors at grazing angles, where a surface draws several points of them: against
 // quadrature.
 #include "image/light_scene.h"
-#include <cmath>
+#include "oracle/reference_specular.h"
 #include <gtest/gtest.h>
-#include <numbers>
 
 namespace nacre {
 namespace {
@@ -12,27 +11,8 @@ using namespace shared;
 
 constexpr double ior = 1.4;
 
-double fresnel(double cosine) {
-    const double inner = std::sqrt(1 - (1 - cosine * cosine) / (ior * ior));
-    const double p = (ior * cosine - inner) / (ior * cosine + inner),
-                 s = (cosine - ior * inner) / (cosine + ior * inner);
-    return (p * p + s * s) / 2;
-}
-
-/// F D G2 / (4 cos_view) about +y: Walter et al. 2007, with height-correlated Smith shadowing. BSDF x cosine of the
-/// light.
-double reflected(const Vec3 &view, const Vec3 &light, double alpha) {
-    if (light.y() <= 0) return 0;
-    const Vec3 h = (view + light).normalized();
-    const double a2 = alpha * alpha, d = (h.x() * h.x() + h.z() * h.z()) / a2 + h.y() * h.y();
-    const auto lambda = [&](const Vec3 &w) {
-        return (std::sqrt(1 + a2 * (w.x() * w.x() + w.z() * w.z()) / (w.y() * w.y())) - 1) / 2;
-    };
-    return fresnel(view.dot(h)) / (std::numbers::pi * a2 * d * d) / (1 + lambda(view) + lambda(light)) / (4 * view.y());
-}
-
 /// What the origin shows of a rect, by the midpoint rule.
-Vec3 highlight(const scene::Light &rect, const Vec3 &view, double alpha) {
+Vec3 highlight(const scene::Light &rect, const reference::Coat &coat) {
     constexpr int n = 512;
     const Vec3 normal = rect.u.cross(rect.v), facing = normal.normalized();
     double sum = 0;
@@ -40,7 +20,7 @@ Vec3 highlight(const scene::Light &rect, const Vec3 &view, double alpha) {
         for (int j = 0; j < n; ++j) {
             const Vec3 at = rect.position + ((i + .5) / n - .5) * rect.u + ((j + .5) / n - .5) * rect.v;
             const Vec3 to = at.normalized();
-            sum += reflected(view, to, alpha) * std::max(0., -to.dot(facing)) / at.squaredNorm();
+            sum += coat.value(to) * std::max(0., -to.dot(facing)) / at.squaredNorm();
         }
     return sum * normal.norm() / (n * n) * rect.radiance;
 }
@@ -65,9 +45,13 @@ scene::Scene rim(double roughness) {
 TEST(Highlight, OfALampAtAGrazingAngle) {
     for (const auto &[roughness, largest_error] : {std::pair{.25, 6e-3}, {.4, 5.5e-3}, {.7, 3.5e-3}}) {
         const scene::Scene scene = rim(roughness);
-        const Vec3 view = scene.camera.position.normalized();
+        const reference::Coat coat{.eta = ior,
+                                   .alpha = roughness * roughness,
+                                   .normal = Vec3::UnitY(),
+                                   .geometric = Vec3::UnitY(),
+                                   .view = scene.camera.position.normalized()};
         Vec3 exact = Vec3::Zero();
-        for (const scene::Light &light : scene.lights) exact += highlight(light, view, roughness * roughness);
+        for (const scene::Light &light : scene.lights) exact += highlight(light, coat);
         const Shot shot = shoot(scene, 256);
         expect_shot(shot, exact, largest_error, 1e-4, "roughness " + std::to_string(roughness));
     }
