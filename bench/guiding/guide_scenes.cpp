@@ -140,7 +140,7 @@ std::vector<Scenario> model_scenarios(bool full) {
     const std::string name = head ? "head" : "bear", material = head ? "skin" : "gummy";
     std::vector<Scenario> all;
     for (const Medium &medium : media(full)) {
-        if (medium.name != "skin") continue; // the model has a colour of its own
+        if (medium.name != "skin") continue; // but in its matte medium the model has a colour of its own
         const scene::Scene scene = load_model(name, material, medium);
         all.push_back({name_of((name + "_matte").c_str(), medium), in_medium(scene, material, medium)});
         all.push_back({fmt::format("{}/{}/g{:g}/b{:g}", name, material, medium.anisotropy, medium.bleed), scene});

@@ -102,8 +102,8 @@ double lost_under_bleed(const scene::Scene &scene, const scene::Material &materi
 constexpr double most_lost = .42, most_lost_with_control = .1;
 
 /// Through other than flat bodies that lose less than this, light goes on to sides of which a slab knows nothing: balls
-/// of 30 mean free paths are .57 times as good guided at .5 e-folds (grey .8, g .8), .72 at .4 (grey .98, g 0), balls
-/// of milk .6 to .7 times at 1.1 to 1.8; grey ones 1.2 to 1.4 times at 2.2.
+/// of 30 mean free paths are .57 times as good guided at .5 e-folds (grey .8, g .8), .72 at .4 (grey .98, g 0), bright
+/// ones of 15 to 100 .6 to .7 times at 1.1 to 1.8, grey ones 1.2 to 1.4 times at 2.2.
 constexpr double least_curved_folds = 2;
 
 /// The more forward a medium scatters, the more directions does a guide refuse: at g = .95 a guided walk takes 1.3
