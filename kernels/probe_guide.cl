@@ -1,5 +1,6 @@
-// Entry point that lets a test see where guided walks turn.
+// Entry points that let tests see where guided walks turn, and what half-spaces return.
 #include "guide/load.h"
+#include "walk/returned.h"
 #include "walk/walk.h"
 
 // Scatters of walks that came from `from`, in a slab that they entered at the origin along z. place: depth, thickness, light
@@ -43,4 +44,15 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_turn(
     real density = guide.flight_x.direction; // dwivedi draws the direction apart from the length
     if (HAS(GUIDE_EIGEN)) density *= guide.flight_x.near + guide.flight_x.far + (1.0f - GUIDE_SHARE);
     out[i] = (float4)(walk.direction.x, walk.direction.y, walk.direction.z, density);
+}
+
+// What a half-space returns, from the table that begins at `first`. points: albedo, anisotropy, depth in mean free paths, cosine.
+kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_returned(
+    global const Frame *frame, global const float *returned, int first, global const float4 *points, uint count,
+    global float *out) {
+    Scene view = {frame};
+    view.returned = returned;
+    const uint i = get_global_id(0);
+    if (i >= count) return;
+    out[i] = exp(returned_log(&view, first, points[i].x, points[i].y, points[i].z, returned_cosine(&view, points[i].w)));
 }

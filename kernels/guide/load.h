@@ -49,8 +49,7 @@ void guide_load(const Scene *scene, GuideLanes *guide, uint l, const PATH_SPACE 
     global const Material *material = scene->materials + scene->objects[path->object].material;
     LANE_FLOAT(guide->thickness, l) = path->thickness;
     LANE_FLOAT(guide->share, l) = guide_share(scene->objects[path->object].guided, path->bleed);
-    const bool twin = HAS(CONTROL) && path->state == PATH_TWIN; // in a half-space, which has one side
-    LANE_FLOAT(guide->far_light, l) = twin ? 0.0f : path->far_light;
+    LANE_FLOAT(guide->far_light, l) = path->far_light;
     LANE_UINT(guide->tries, l) = path->tries;
     const float4 g = path->anisotropy;
     const uint4 i = nearest_modes(material, path->albedo, g);

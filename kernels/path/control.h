@@ -4,6 +4,7 @@
 
 #include "guide/load.h"
 #include "path/light.h"
+#include "walk/returned.h"
 #include "walk/twin.h"
 
 // Light on the far side over that on the near side, as guides have it, from which on a surface counts as lit from behind.
@@ -50,7 +51,6 @@ void twin_load(TwinLanes *twin, uint l, const PATH_SPACE Path *path) {
     const float3 foreseen = path->foreseen.xyz;
     const bool counts = path->twin == TWIN_INSIDE && foreseen.x + foreseen.y + foreseen.z != 0.0f; // else in darkness
     LANE_INT(twin->inside, l) = counts ? MASK_TRUE : 0;
-    LANE_INT(twin->alone, l) = path->state == PATH_TWIN ? MASK_TRUE : 0;
 }
 
 // The twin is out.
@@ -59,27 +59,14 @@ void control_take(PATH_SPACE Path *path, const TwinLanes *twin, uint l) {
     path->twin = TWIN_OUT;
 }
 
-// The path is out, or lost, and its next ray waits until the twin in lane l is out, too. `plane`: of the entry.
-void control_part(PATH_SPACE Path *path, float4 plane, const Walk *walk, const TwinLanes *twin, uint l) {
-    path->exit_position = path->position;
-    path->exit_direction = path->direction;
-    path->exit_outward = (float4)(path->outward.xyz, as_float(path->state));
-    path->state = PATH_TWIN;
-    path->outward = plane;
-    path->position.xyz =
+// The walk of lane l is out, or lost, and its twin is not.
+void control_part(const Scene *scene, PATH_SPACE Path *path, const TwinLanes *twin, uint l) {
+    const float3 position =
         (float3)(LANE_FLOAT(twin->position.x, l), LANE_FLOAT(twin->position.y, l), LANE_FLOAT(twin->position.z, l));
-    path->direction.xyz =
-        (float3)(LANE_FLOAT(walk->direction.x, l), LANE_FLOAT(walk->direction.y, l), LANE_FLOAT(walk->direction.z, l));
-    path->weight.xyz = (float3)(LANE_FLOAT(twin->weight.x, l), LANE_FLOAT(twin->weight.y, l), LANE_FLOAT(twin->weight.z, l));
-    path->share.xyz = (float3)(LANE_FLOAT(twin->share.x, l), LANE_FLOAT(twin->share.y, l), LANE_FLOAT(twin->share.z, l));
-    path->steps += 1u;
-}
-
-void control_end(PATH_SPACE Path *path) {
-    path->position = path->exit_position;
-    path->direction = path->exit_direction;
-    path->outward = path->exit_outward;
-    path->state = as_uint(path->exit_outward.w);
+    const float3 weight = (float3)(LANE_FLOAT(twin->weight.x, l), LANE_FLOAT(twin->weight.y, l), LANE_FLOAT(twin->weight.z, l));
+    const float depth = path->outward.w - dot(path->outward.xyz, position);
+    path->surplus.xyz -= weight * half_space_returns(scene, path, depth, dot(path->outward.xyz, path->direction.xyz));
+    path->twin = TWIN_OUT;
 }
 
 #endif

@@ -55,7 +55,7 @@ void path_begin(const Scene *scene, PATH_SPACE Path *path, uint x, uint y, uint 
     path->outward = (float4)(0.0f);
     path->bleed = path->first_number = path->thickness = path->far_light = 0.0f;
     path->object = path->flight = path->max_depth = path->channel = path->steps = path->depth = path->tries = 0u;
-    path->foreseen = path->surplus = path->exit_position = path->exit_direction = path->exit_outward = (float4)(0.0f);
+    path->foreseen = path->surplus = (float4)(0.0f);
     path->scatters = path->twin = 0u; // all of it: a suspended path is copied whole
     path->key = sampler_key(scene->frame->seed, path->pixel, sample);
 }

@@ -101,7 +101,7 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const PATH_SPACE Pa
     LANE_INT(walk->channel, l) = (int)path->channel;
     LANE_FLOAT(walk->first_number, l) = path->first_number;
     LANE_UINT(walk->steps, l) = path->steps;
-    const Sampler sampler = HAS(CONTROL) && path->state == PATH_TWIN ? control_sampler(path) : path_sampler(path);
+    const Sampler sampler = path_sampler(path);
     LANE_UINT(lanes->sampler.key, l) = sampler.key;
     LANE_UINT(lanes->sampler.sample, l) = sampler.sample;
     LANE_UINT(lanes->sampler.vertex, l) = sampler.vertex;
@@ -174,21 +174,14 @@ Shadow walk_end(const Scene *scene, const WalkLanes *groups, const RayStream *st
     return no_shadow();
 }
 
-// The same, with its twin, which may go on.
+// The same, with its twin.
 Shadow lane_end(const Scene *scene, const WalkLanes *groups, const RayStream *stream, uint w, TurnEnds ends, PATH_SPACE Path *path,
                 Counts *counts, global float4 *layers) {
     const WalkLanes *lanes = GROUP(groups, w / LANES);
     const uint l = w % LANES;
     lane_store(lanes, l, path);
-    if (!HAS(CONTROL)) return walk_end(scene, groups, stream, w, ends, path, counts, layers);
-    if (path->state == PATH_TWIN) {
-        control_end(path);
-        return no_shadow();
-    }
-    const float4 plane = path->outward;
-    const Shadow shadow = walk_end(scene, groups, stream, w, ends, path, counts, layers);
-    if ((ends.parted >> w & 1u) != 0u) control_part(path, plane, &lanes->walk, &lanes->twin, l);
-    return shadow;
+    if (HAS(CONTROL) && (ends.parted >> w & 1u) != 0u) control_part(scene, path, &lanes->twin, l);
+    return walk_end(scene, groups, stream, w, ends, path, counts, layers);
 }
 
 #endif

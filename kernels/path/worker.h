@@ -57,7 +57,7 @@ void worker_file(const Scene *scene, Worker *worker, const Launch *launch, uint 
     const uint state = worker->pool[at].state;
     if (state == PATH_RAY) {
         worker->rays[worker->ray_count++] = (ushort)at;
-    } else if (state == PATH_WALK || state == PATH_TWIN) {
+    } else if (state == PATH_WALK) {
         worker->walks[worker->walk_count++] = (ushort)at;
     } else if (HAS(DIFFUSION_MODEL) && state == PATH_PROBE) {
         worker->probes[worker->probe_count++] = (ushort)at;

@@ -6,8 +6,8 @@
 
 SHARED_BEGIN
 
-// probe: below a surface with a diffusion model. twin: out of its object, while the twin of its walk goes on.
-enum PathState { PATH_RAY, PATH_WALK, PATH_PROBE, PATH_TWIN, PATH_DONE };
+// probe: below a surface with a diffusion model.
+enum PathState { PATH_RAY, PATH_WALK, PATH_PROBE, PATH_DONE };
 
 // The control variate of a path's first walk (walk/twin.h): none, in its half-space, out of it.
 enum Twin { TWIN_NONE, TWIN_INSIDE, TWIN_OUT };
@@ -25,8 +25,6 @@ struct Path {
     float4 outward;    // ray: geometric normal where it starts; walk: the near side's normal, as its guide sees it; w: dot(normal, entry)
     float4 foreseen;   // direct light about the entry, as far as it arrives, times `throughput`
     float4 surplus;    // what a half-space returns in the mean less what the twin brought back: to add so much of `foreseen`
-    // Of a path that waits for its twin:
-    float4 exit_position, exit_direction, exit_outward; // as position, direction, outward; exit_outward.w: its state
     float bleed;
     float first_number; // walk: the random number of its first flight
     uint slot;         // of the batch: where its radiance goes

@@ -76,6 +76,8 @@ struct Material {
     int model;                     // SubsurfaceModel; flight, entry, max_depth and bleed are the random walk's alone
     uint similarity_first;         // its table of similarities by colour, g and bleed: INVERSION_COLORS x ...
     uint similarity_anisotropies, similarity_bleeds; // ... or 1 where they are the same everywhere
+    int returned_first[3];         // where its table of what a half-space returns begins, per channel: shared/returned.h
+    uint pad;
 };
 
 // RGBA or one channel, half floats, linear, row 0 at v = 1 (the top of the picture).

@@ -37,6 +37,7 @@ typedef struct {
     global const uint *clearance;       // fields of the objects, four cells per word: shared/clearance.h
     global const GuideMode *modes;      // of the materials
     global const float *similarities;   // of the materials: shared/inversion.h
+    global const float *returned;       // of the materials: shared/returned.h
     global const LightSides *sides;     // of the objects, and, last,
     global const float *thickness;      // below each primitive: DeviceScene::thickness
 } Scene;
@@ -47,11 +48,11 @@ typedef struct {
         global const Material *materials, global const Texture *textures, global const half *texels,                  \
         global const Light *lights, global const AliasEntry *light_table, global const AliasEntry *environment_table, \
         global const float4 *environment, global const uint *clearance, global const GuideMode *modes, \
-        global const float *similarities, global const LightSides *sides, global const float *thickness
+        global const float *similarities, global const float *returned, global const LightSides *sides, global const float *thickness
 
 #define SCENE_ARGUMENTS                                                                                                \
     frame, nodes, blocks, objects, triangles, normals, uvs, materials, textures, texels, lights, light_table,         \
-        environment_table, environment, clearance, modes, similarities, sides, thickness
+        environment_table, environment, clearance, modes, similarities, returned, sides, thickness
 
 // HAS(x): does this scene need x? Known at compile time, or with --generic asked of the scene at run time.
 #ifdef GENERIC

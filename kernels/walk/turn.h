@@ -70,7 +70,7 @@ typedef struct {
     Walks slipped; // out of the scene without meeting the surface; they are as they were before the flight
     Walks ended;   // by roulette, or not finite
     Walks capped;  // by max_depth
-    Walks parted;  // of these: the twin goes on
+    Walks parted;  // of these: the twin has not left
     Walks twins;   // not of these: their twins left
 } TurnEnds;
 
@@ -114,7 +114,7 @@ uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
 // Returns the lanes of `active` that have a ray.
 uint turn_rays(const Scene *scene, WalkLanes *lanes, uint active, RayStream *stream, uint row) {
     const Walk *walk = &lanes->walk;
-    uint flying = HAS(CONTROL) ? active & ~bits(lanes->twin.alone) : active;
+    uint flying = active;
     real near = (real)(0.0f), far = lanes->distance;
     if (HAS(CLEARANCE)) { // what a ball about either end reaches is clear
         lanes->clear_end = clearance_along(scene, lanes, lanes->distance);
@@ -173,7 +173,6 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left
                    flown & ~left_bits;
     ends.parted = ends.twins = 0u;
     if (HAS(CONTROL)) {
-        ends.slipped &= ~bits(lanes->twin.alone); // those are beyond their object for good
         ends.twins = twins_leave(scene, &lanes->twin, walk, &lanes->guide, flown);
         ends.parted = twins_part(scene, &lanes->twin, walk, &lanes->guide, ends.left | ends.slipped);
     }
@@ -190,7 +189,6 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left
     ends.ended = flown & ~bits(survives);
     ends.capped = flown & ~ends.left & ~ends.slipped & ~ends.ended &
                   bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));
-    if (HAS(CONTROL)) ends.ended |= ends.twins & bits(lanes->twin.alone);
     return ends;
 }
 

@@ -1,8 +1,10 @@
 // A control variate for walks. What a half-space of a medium returns is known: the colour that its albedo was found for. So a
-// walk has a twin, which makes the same flights in the half-space below the plane of the entry, where no mesh is; they part
-// where one of them leaves and the other does not. With the direct light L about both points, whose numbers are not the walk's,
+// walk has a twin, which makes the same flights in the half-space below the plane of the entry, where no mesh is. With the direct
+// light L about both points, whose numbers are not the walk's,
 //     W L(exit) + (R - C) L(entry)
-// has the mean of W L(exit): W and C are the weights with which walk and twin leave (0: roulette), R is the mean of C. Where the
+// has the mean of W L(exit): W and C are the weights with which walk and twin leave (0: roulette), R is the mean of C. A twin
+// whose walk leaves before it does scatters at the end of that flight, and of what it brings back from there C takes the mean,
+// which is known, too (walk/returned.h). Where the
 // surface is flat to the walk W and C are one, L takes the same numbers at both points, and what is left is the noise of a surface
 // that scatters light where it arrives. (Control variates: Hammersley & Handscomb 1964, Monte Carlo Methods, 5.5.) The light that
 // exits see of other surfaces has no part in it.
@@ -13,12 +15,11 @@
 
 typedef struct {
     mask inside; // the walk has a twin, still in its half-space
-    mask alone;  // the walk has left its object, the twin goes on
     real drawn;  // length of the flight if nothing is in its way
     // Of this turn:
     real3 left;            // weight with which a twin left its half-space
-    real3 position;        // where one stands that parts from its walk,
-    real3 weight, share;   // and with which weights
+    real3 position;        // where one scatters that is left behind,
+    real3 weight;          // and with which weight
 } TwinLanes;
 
 // Lets the twins of the lanes `flown` out that reach their plane, before their walks arrive. Returns those that leave.
@@ -34,7 +35,7 @@ uint twins_leave(const Scene *scene, TwinLanes *twin, const Walk *walk, const Gu
     return left;
 }
 
-// Of the walks that leave their object in this turn those whose twin does not: it scatters where the flight was to end.
+// Returns those of the walks that leave their object in this turn whose twin does not: it scatters where the flight was to end.
 uint twins_part(const Scene *scene, TwinLanes *twin, const Walk *walk, const GuideLanes *guide, uint leaving) {
     const uint parted = leaving & bits(twin->inside);
     if (parted == 0u) return 0u;
@@ -42,7 +43,6 @@ uint twins_part(const Scene *scene, TwinLanes *twin, const Walk *walk, const Gui
     walk_arrive(scene, &on, guide, twin->drawn, (mask)(0));
     twin->position = on.position;
     twin->weight = on.weight;
-    twin->share = on.share;
     return parted;
 }
 

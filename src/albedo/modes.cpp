@@ -1,4 +1,4 @@
-#include "albedo/ordinates.h"
+#include "albedo/modes.h"
 #include <Eigen/Dense>
 
 // Collision densities per ordinate, c+ inwards and c- outwards, obey v dc+/dz + c+ = (albedo / 2) sum w (p_same c+ +
@@ -24,29 +24,35 @@ MatrixXd factor(const Ordinates &ordinates, const MatrixXd &phase, double albedo
     return s.llt().matrixL();
 }
 
-struct Modes {
-    MatrixXd left, right; // singular vectors
+struct SingularVectors {
+    MatrixXd left, right;
+    VectorXd values;
 };
 
 /// Eigen's divide and conquer gives wrong vectors for one matrix in some thousands, which put a colour off by .009.
 /// They do not give the matrix back: slower rotations then find the right ones.
-Modes modes_of(const MatrixXd &b) {
+SingularVectors singular_vectors(const MatrixXd &b) {
     const Eigen::BDCSVD<MatrixXd> fast(b, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const MatrixXd residual = b * fast.matrixV() - fast.matrixU() * fast.singularValues().asDiagonal();
-    if (residual.norm() < 1e-10 * b.norm()) return {fast.matrixU(), fast.matrixV()};
+    if (residual.norm() < 1e-10 * b.norm()) return {fast.matrixU(), fast.matrixV(), fast.singularValues()};
     const Eigen::JacobiSVD<MatrixXd> slow(b, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return {slow.matrixU(), slow.matrixV()};
+    return {slow.matrixU(), slow.matrixV(), slow.singularValues()};
 }
 
 } // namespace
 
-Reflectance reflectance_by_modes(const Ordinates &ordinates, double albedo) {
+Modes modes_of(const Ordinates &ordinates, double albedo) {
     const MatrixXd even = factor(ordinates, ordinates.phase.same + ordinates.phase.opposite, albedo);
     const MatrixXd odd = factor(ordinates, ordinates.phase.same - ordinates.phase.opposite, albedo);
-    const MatrixXd b = odd.transpose() * (ordinates.depth.cwiseInverse().asDiagonal() * even);
-    const Modes modes = modes_of(b);
-    const MatrixXd e = even.transpose().triangularView<Eigen::Upper>().solve(modes.right);
-    const MatrixXd o = odd.transpose().triangularView<Eigen::Upper>().solve(modes.left);
+    const SingularVectors found =
+        singular_vectors(odd.transpose() * (ordinates.depth.cwiseInverse().asDiagonal() * even));
+    return {found.values, even.transpose().triangularView<Eigen::Upper>().solve(found.right),
+            odd.transpose().triangularView<Eigen::Upper>().solve(found.left)};
+}
+
+Reflectance reflectance_by_modes(const Ordinates &ordinates, double albedo) {
+    const Modes modes = modes_of(ordinates, albedo);
+    const MatrixXd &e = modes.even, &o = modes.odd;
     // What leaves for what enters: (e - o) (e + o)^-1 in sqrt(w) c, and a current is w v c.
     const VectorXd current = ordinates.weight.cwiseSqrt().cwiseProduct(ordinates.depth);
     const VectorXd out = (e + o).transpose().partialPivLu().solve((e - o).transpose() * current);

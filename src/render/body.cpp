@@ -15,6 +15,30 @@ double thickness(const scene::Mesh &mesh) {
     return surface > 0 ? 2 * std::abs(volume) / surface : 0;
 }
 
+double extent(const scene::Mesh &mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3 &vertex : mesh.positions) box.extend(vertex);
+    return box.sizes().maxCoeff();
+}
+
+double light_path(const scene::Scene &scene, const scene::Material &material) {
+    const Vec3 radius = scene::mean_color(scene, material[shared::PARAMETER_subsurface_radius]);
+    const Vec3 scale = scene::mean_color(scene, material[shared::PARAMETER_subsurface_radius_scale]);
+    const Vec3 g = scene::mean_color(scene, material[shared::PARAMETER_subsurface_scatter_anisotropy]);
+    return (radius.array() * scale.array() / (1 - g.array()).sqrt()).maxCoeff();
+}
+
+bool is_flat(const scene::Scene &scene, const scene::Object &object) {
+    constexpr double flat_size = 500, flat_ratio = 20;
+    const double size = extent(object.mesh);
+    return size > flat_size * light_path(scene, scene.materials[object.material]) ||
+           size > flat_ratio * thickness(object.mesh);
+}
+
+bool is_dark(const scene::Scene &scene, const scene::Material &material) {
+    return scene::mean_color(scene, material[shared::PARAMETER_subsurface_color]).maxCoeff() < 0.05;
+}
+
 Vec3 diffusion_length(const scene::Scene &scene, const scene::Material &material) {
     const Vec3 radius = scene::mean_color(scene, material[shared::PARAMETER_subsurface_radius]);
     const Vec3 scale = scene::mean_color(scene, material[shared::PARAMETER_subsurface_radius_scale]);

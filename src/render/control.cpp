@@ -10,18 +10,24 @@ namespace {
 using namespace shared;
 
 /// From which thickness on, in the scene's units, a control variate pays. It takes away the noise of the channels'
-/// weights. A grey medium has next to none, guided walks return about the same weight each, and there twins that part
-/// from their walks bring more noise than they take. In the largest of the medium's diffusion lengths variance times
-/// time of balls under a lamp and some sky is as good with as without, g 0 and .8, at .25 where the least is a
-/// twentieth or a tenth of it (skin, milk), .5 at .3 (marble), 1.1 at .44, 1.5 to 2 at .6, and 6 to 12 where all are
-/// alike. This is a fit to those. Under bleed twins go far: balls of skin of .33 lengths are .56 times as good at bleed
-/// .5, of 3.3 lengths .67 times at bleed 1 and 1.9 times at .5 (build/bench/guiding --filter sphere). Under an image of
-/// the sky (scenes/features/environment_image.json) it is .9 times as good all the same.
-double least_thickness(const Vec3 &lengths, double bleed) {
+/// weights, of which grey media have next to none. In variance times time it is as good with as without, in the largest
+/// of the medium's diffusion lengths: balls under a lamp and some sky at .08 where the least is a twentieth of it
+/// (skin), .4 (g 0) and .1 (g .8) at .44 (wax), 1.5 where all are alike, but 2 to 3 in light from everywhere; at g 0
+/// and bleed .5 balls of skin of .34 are 1.36 times as good with, at g .8 those of .09 .75, at bleed 1 of .34 .7, of .9
+/// 1.14 and of 3.4 1.5 times. This is a fit to those. Flat bodies have guides, which leave less noise: slabs of skin of
+/// .17 in light from everywhere are .55 times as good with, of .85 1.4 times, grey ones of 4.7 12 times.
+/// In dark media, whose walks are over soon, it is the longer way to the light that costs: at 3.3 balls of .02 are .78
+/// times as good with, at 31 3.4 times.
+double least_thickness(const Vec3 &lengths, double bleed, bool flat, bool dark) {
     const double largest = lengths.maxCoeff();
     if (!(largest > 0)) return 0;
-    return .25 * std::pow(30., lengths.minCoeff() / largest) * std::pow(16., bleed) * largest;
+    constexpr double grey = 3.2, colored = .025, colored_flat = .07;
+    const double unlike = 1 - lengths.minCoeff() / largest;
+    return (dark ? 2 : 1) * grey * std::pow(flat ? colored_flat : colored, unlike) * std::pow(8., bleed) * largest;
 }
+
+/// The modes by which is known what returns (albedo/modes.cpp) hold to here.
+constexpr double most_bleed = 1;
 
 /// Colours are known to 1e-4 within the table of inversions (build/bench/inversion).
 bool in_table(const scene::Material &material) {
@@ -29,7 +35,7 @@ bool in_table(const scene::Material &material) {
                        &bleed = material[PARAMETER_subsurface_bleed];
     return g.texture < 0 && g.value.minCoeff() >= double(INVERSION_LEAST_ANISOTROPY) &&
            g.value.maxCoeff() <= double(INVERSION_LARGEST_ANISOTROPY) && bleed.texture < 0 &&
-           bleed.value.x() <= double(INVERSION_LARGEST_BLEED);
+           bleed.value.x() <= most_bleed;
 }
 
 bool knows_color(const scene::Material &material) {
@@ -47,7 +53,8 @@ bool choose_control(const scene::Scene &scene, const scene::Frame &frame, std::u
         geometry.objects[i].control_thickness = GUIDE_THICK;
         if (!scene.render.control || (features & FEATURE_SCATTER_AOV) || !knows_color(material)) continue;
         const double least =
-            least_thickness(diffusion_length(scene, material), material[PARAMETER_subsurface_bleed].value.x());
+            least_thickness(diffusion_length(scene, material), material[PARAMETER_subsurface_bleed].value.x(),
+                            is_flat(scene, object), is_dark(scene, material));
         if (!(thickness(object.mesh) >= least)) continue; // nor in white, where it is infinite or NaN
         geometry.objects[i].control_thickness = float(least / frame.size);
         some = true;

@@ -11,11 +11,11 @@ namespace {
 using namespace shared;
 
 static_assert(sizeof(Camera) == 96 && offsetof(Camera, kind) == 64);
-static_assert(sizeof(Material) == 16 * (PARAMETER_COUNT + 1) + 4 * PARAMETER_COUNT + 56 && sizeof(Material) % 16 == 0);
+static_assert(sizeof(Material) == 16 * (PARAMETER_COUNT + 1) + 4 * PARAMETER_COUNT + 72 && sizeof(Material) % 16 == 0);
 static_assert(sizeof(Texture) == 48 && sizeof(Object) == 80 && sizeof(AliasEntry) == 8);
 static_assert(sizeof(Light) == 112 && offsetof(Light, kind) == 80);
 static_assert(sizeof(Frame) % 16 == 0 && offsetof(Frame, width) == 96);
-static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, bleed) == 240);
+static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, bleed) == 192);
 static_assert(sizeof(Batch) == 32 && sizeof(GuideMode) == 64 && sizeof(LightSides) == 32);
 
 struct Size {

@@ -8,6 +8,7 @@
 #include "render/guides.h"
 #include "render/inversion.h"
 #include "render/light_sides.h"
+#include "render/returned.h"
 #include <optional>
 #include <xxhash.h>
 
@@ -148,6 +149,8 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     if (guided) add_guides(scene, !(features & FEATURE_ANISOTROPY), materials, modes);
     std::vector<float> similarities;
     add_albedos(scene, materials, similarities);
+    std::vector<float> returned;
+    if (controlled) add_returned(scene, geometry, !(features & FEATURE_ANISOTROPY), materials, returned);
     std::vector<Texture> textures;
     std::vector<std::uint16_t> texels;
     if (features & FEATURE_TEXTURES) pack_textures(scene, textures, texels);
@@ -170,6 +173,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("clearance", geometry.clearance);
     uploader.add("guide", modes);
     uploader.add("similarities", similarities);
+    uploader.add("returned", returned);
     constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
     const bool measured = guided || controlled;
     uploader.add("light_sides", std::vector<LightSides>(measured ? scene.objects.size() : 0, alike));

@@ -21,14 +21,15 @@ bool is_guided(const scene::Scene &scene) {
     return std::ranges::count(rendered(scene).statistics.features, "guide_eigen") == 1;
 }
 
-// A control variate takes the noise under bleed; without one a guide does.
-TEST(GuidedBodies, BleedingOnesHaveAControlVariateOrAGuide) {
-    EXPECT_TRUE(is_guided(ball(.5, .01, .5, 0)));
-    EXPECT_TRUE(is_guided(ball(.5, .01, 0, .5)));
-    scene::Scene bleeding = ball(.5, .01, .5, .5);
-    EXPECT_FALSE(is_guided(bleeding));
-    bleeding.render.control = false;
-    EXPECT_TRUE(is_guided(bleeding));
+// Where a surface bends a control variate takes the noise that a guide would; flat bodies have both.
+TEST(GuidedBodies, CurvedOnesHaveAControlVariateOrAGuide) {
+    scene::Scene curved = ball(.5, .01, 0, 0);
+    EXPECT_FALSE(is_guided(curved));
+    curved.render.control = false;
+    EXPECT_TRUE(is_guided(curved));
+    const scene::Scene flat = ball(.5, .002, 0, 0); // 1000 mean free paths across
+    EXPECT_TRUE(is_guided(flat));
+    EXPECT_EQ(std::ranges::count(rendered(flat).statistics.features, "control"), 1);
 }
 
 // Bright balls lead light across: grey .9 (diffusion length 12.6 mean free paths) of less than two e-folds.
