@@ -107,7 +107,7 @@ float3 light_of_sky(const Scene *scene, const Receiver *receiver, float3 directi
     float3 sum = (float3)(0.0f);
     if (!(HAS(ENVIRONMENT) || HAS(ENVIRONMENT_IMAGE))) return sum;
     for (uint i = 0; i < scene->frame->environment_count; ++i) {
-        global const Light *light = scene->lights + scene->frame->environment_first + i;
+        global const Light *light = scene->lights + i;
         if (camera && !light->visible) continue;
         if (HAS(ENVIRONMENT_IMAGE) && light->kind == LIGHT_ENVIRONMENT_IMAGE) {
             const float2 at = environment_coordinates(light, direction);

@@ -64,7 +64,9 @@ void path_begin(const Scene *scene, PATH_SPACE Path *path, uint x, uint y, uint 
 // each where walks have control variates: what is left is noise of the place in the pixel. The memo's head has .75 (g 0) and .88
 // times (g .8) the relative variance for it, for 4 % more time.
 uint camera_ray_of(const Scene *scene, uint sample) {
-    return HAS(LENS) || HAS(CONTROL) ? sample : sample / CAMERA_RAY_SAMPLES;
+    if (HAS(LENS)) return sample;
+    if (HAS(CONTROL) && scene->frame->lone_rays != 0u) return sample;
+    return sample / CAMERA_RAY_SAMPLES;
 }
 
 bool path_shares_ray(const Scene *scene, const PATH_SPACE Path *path, const PATH_SPACE Path *other) {

@@ -10,7 +10,7 @@
     X(shadow_rays)                                                                                                     \
     X(walk_rays)     /* segments of flights that were traced */                                                        \
     X(walks)                                                                                                           \
-    X(steps)         /* flights of walks, and of twins that go on alone */                                             \
+    X(steps)         /* flights of walks */                                                                            \
     X(escaped)       /* walks that left through a hole of an open mesh: their energy is lost */                        \
     X(missed)        /* walks that missed the surface of a closed mesh by rounding: they leave where they are */       \
     X(capped)        /* walks ended by subsurface_max_depth: their energy is lost */                                   \

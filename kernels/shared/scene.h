@@ -131,7 +131,8 @@ struct Frame {
     uint features;            // mask of Feature: what --generic asks at run time
     uint light_count;
     uint rect_first, rect_count;               // rects are consecutive in the light buffer
-    uint environment_first, environment_count; // so are environments
+    uint environment_count;                    // environments come first
+    uint lone_rays;           // every sample has a camera ray of its own: walks that it sees may have a control variate
     uint bvh_root;
     uint max_depth;           // surface hits, 0: no limit
     int channel_sampling;     // ChannelSampling

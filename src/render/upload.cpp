@@ -129,6 +129,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.seed = scene.render.seed;
     const bool controlled = choose_control(scene, units, features, geometry);
     if (controlled) features |= FEATURE_CONTROL;
+    frame.lone_rays = controlled ? 1 : 0;               // until light_sides sees that nothing in sight has one
     const bool guided = choose_guided(scene, geometry); // by what choose_control has found
     if (!guided) features &= ~std::uint32_t(FEATURE_GUIDE_EIGEN | FEATURE_GUIDE_DWIVEDI);
     frame.features = features | (geometry.clearance.empty() ? 0u : std::uint32_t(FEATURE_CLEARANCE));

@@ -55,7 +55,7 @@ TEST(Control, DenseBall) { expect_same(ball(.004), 10); }
 TEST(Control, ForwardBall) { expect_same(ball(.004, R"(, "subsurface_scatter_anisotropy": 0.8)"), 4); }
 TEST(Control, BleedingBall) { expect_same(ball(.01, R"(, "subsurface_bleed": 0.5)"), 3); }
 TEST(Control, BallOfThreePhases) { expect_same(ball(.01, R"(, "subsurface_scatter_anisotropy": [0.8, 0, -0.5])"), 3); }
-// Most twins part from their walks, and go far.
+// Most walks leave before their twins.
 TEST(Control, ThinBall) { expect_same(ball(.2), 1.1); }
 TEST(Control, ClassicalWalks) {
     scene::Scene scene = ball(.03);

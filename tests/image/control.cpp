@@ -92,6 +92,27 @@ TEST(Control, OnlyWhereItPays) {
     EXPECT_EQ(std::ranges::count(rendered(slab).statistics.features, "control"), 0);
 }
 
+// A box before a lamp, whose edges show whether samples have camera rays of their own.
+TEST(Control, CameraRaysAreSharedWhereNothingInSightHasOne) {
+    const auto shares = [](double lamp) {
+        const scene::Scene scene =
+            scene_of(fmt::format(R"({{"image": {{"width": 24, "height": 24}}, "render": {{"spp": 4}},
+            "camera": {{"position": [0, 0, 5], "target": [0, 0, 0], "fov": 30}},
+            "materials": {{"m": {{"subsurface_weight": 1, "subsurface_color": [0.8, 0.5, 0.4], "subsurface_radius": 0.02,
+                "specular_weight": 0}}}},
+            "objects": [{{"box": {{"min": [-0.9, -0.9, -0.3], "max": [0.9, 0.9, 0]}}, "material": "m"}}],
+            "lights": [{{"type": "directional", "direction": [0, 0, {}]}}]}})",
+                                 lamp));
+        const Rendered found = rendered(scene);
+        EXPECT_EQ(std::ranges::count(found.statistics.features, "control"), 1);
+        render::Options options;
+        options.definitions = "-DCAMERA_RAY_SAMPLES=1u";
+        return found.picture.pixels != rendered(scene, options).picture.pixels;
+    };
+    EXPECT_FALSE(shares(-1)); // the light goes along z: against the camera's side
+    EXPECT_TRUE(shares(1));
+}
+
 // Walks with twins that go on for long, past the ends of launches: the same to the bit in any number of lanes, with and
 // without clearance fields, in the program that knows all features.
 TEST(Control, SameImageHoweverItIsTraced) {
