@@ -1,5 +1,6 @@
 #include "albedo/returned.h"
 #include "albedo/modes.h"
+#include "base/legendre.h"
 #include <Eigen/Dense>
 #include <cmath>
 
@@ -9,13 +10,6 @@
 namespace nacre::albedo {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-VectorXd legendre(double mu, Index count) {
-    VectorXd p = VectorXd::Ones(count);
-    if (count > 1) p[1] = mu;
-    for (Index l = 2; l < count; ++l) p[l] = (double(2 * l - 1) * mu * p[l - 1] - double(l - 1) * p[l - 2]) / double(l);
-    return p;
-}
 
 Returned::Returned(const Ordinates &ordinates, double g, double albedo) {
     const Modes modes = modes_of(ordinates, albedo);

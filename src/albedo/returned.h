@@ -20,7 +20,4 @@ class Returned {
     Eigen::MatrixXd factors; // moments x modes
 };
 
-/// Legendre polynomials P_0 ... P_(count - 1).
-Eigen::VectorXd legendre(double mu, Eigen::Index count);
-
 } // namespace nacre::albedo

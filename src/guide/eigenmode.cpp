@@ -1,4 +1,5 @@
 #include "guide/eigenmode.h"
+#include "base/legendre.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -13,15 +14,6 @@ using namespace shared;
 int moments_of(double g) {
     const double decay = g == 0 ? 0 : std::log(1e-9) / std::log(std::abs(g));
     return std::clamp(64 + int(decay), 96, 1000);
-}
-
-/// Legendre polynomials P_0 .. P_(count - 1) at mu.
-Eigen::VectorXd legendre(double mu, int count) {
-    Eigen::VectorXd p(count);
-    p[0] = 1;
-    if (count > 1) p[1] = mu;
-    for (int l = 2; l < count; ++l) p[l] = ((2 * l - 1) * mu * p[l - 1] - (l - 1) * p[l - 2]) / l;
-    return p;
 }
 
 /// Factors of the Legendre polynomials with the least relative error in phi, at Chebyshev's points. Returns the
@@ -64,7 +56,7 @@ double largest(const Eigen::VectorXd &factors) {
 } // namespace
 
 double Eigenmode::phi(double mu) const {
-    const Eigen::VectorXd p = legendre(mu, int(moments.size()));
+    const Eigen::VectorXd p = legendre(mu, Eigen::Index(moments.size()));
     double scattered = 0, power = 1;
     for (int l = 0; l < p.size(); ++l, power *= anisotropy) scattered += (2 * l + 1) * power * moments[l] * p[l];
     return albedo * nu / 2 * scattered / (nu - mu);

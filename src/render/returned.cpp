@@ -1,6 +1,7 @@
 #include "render/returned.h"
 #include "albedo/half_space.h"
 #include "albedo/returned.h"
+#include "base/legendre.h"
 #include "base/parallel.h"
 #include "shared/guide.h"
 #include "shared/returned.h"
@@ -45,7 +46,7 @@ Rows layer_of(const albedo::Ordinates &ordinates, double g, double similarity, E
     Rows moments(RETURNED_DEPTHS, terms), polynomials(terms, cosines);
     for (Eigen::Index i = 0; i < RETURNED_DEPTHS; ++i) moments.row(i) = returned.moments(depth_of(i) / (1 - g));
     const auto cosine_of = [&](Eigen::Index i) { return cosines > 1 ? 2.0 * double(i) / double(cosines - 1) - 1 : 0; };
-    for (Eigen::Index i = 0; i < cosines; ++i) polynomials.col(i) = albedo::legendre(cosine_of(i), terms);
+    for (Eigen::Index i = 0; i < cosines; ++i) polynomials.col(i) = legendre(cosine_of(i), terms);
     Rows layer = (moments * polynomials).cwiseMax(least_share).array().log();
     settle(layer, depth_of);
     Rows across = layer.transpose();

@@ -1,6 +1,7 @@
 // What half-spaces return of light inside them, against what is known of it by other ways.
 #include "albedo/returned.h"
 #include "albedo/half_space.h"
+#include "base/legendre.h"
 #include "guide/eigenmode.h"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Tables of what half-spaces return (src/render/returned.cpp), as kernels read them.
 #include "albedo/returned.h"
 #include "albedo/half_space.h"
-#include "albedo/inversion.h"
+#include "base/legendre.h"
 #include "device/buffer.h"
 #include "device/program.h"
 #include "render/convert.h"
@@ -70,7 +70,7 @@ Error error_of(double g, double bleed, const Vec3 &albedo, bool textured) {
     Error error;
     for (cl_uint i = 0; i < count; ++i) {
         const Eigen::VectorXd moments = exact.moments(double(points[i].z));
-        const double e = double(found[i]) - moments.dot(albedo::legendre(double(points[i].w), moments.size()));
+        const double e = double(found[i]) - moments.dot(legendre(double(points[i].w), moments.size()));
         error.mean += e / count;
         error.square += e * e / count;
         error.largest = std::max(error.largest, std::abs(e));
