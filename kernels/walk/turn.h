@@ -102,8 +102,9 @@ uint turn_draw(const Scene *scene, WalkLanes *lanes, uint active) {
     const uint waiting =
         walk_direct(scene, walk, &lanes->guide, xi_technique, xi_length, numbers, lanes->sampler, active);
     const real number = pick(walk->steps == 0u, walk->first_number, lane_unit(lanes->words.x));
-    lanes->distance = min(walk_distance(scene, walk, &lanes->guide, number), (real)(turn_beyond(scene)));
-    if (HAS(CONTROL)) lanes->twin.drawn = lanes->distance;
+    const real drawn = walk_distance(scene, walk, &lanes->guide, number);
+    lanes->distance = min(drawn, (real)(turn_beyond(scene)));
+    if (HAS(CONTROL)) lanes->twin.drawn = drawn;
     lanes->rounding =
         POSITION_ROUNDING * max(fabs(walk->position.x), max(fabs(walk->position.y), fabs(walk->position.z)));
     return waiting;

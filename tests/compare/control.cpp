@@ -57,6 +57,9 @@ TEST(Control, BleedingBall) { expect_same(ball(.01, R"(, "subsurface_bleed": 0.5
 TEST(Control, BallOfThreePhases) { expect_same(ball(.01, R"(, "subsurface_scatter_anisotropy": [0.8, 0, -0.5])"), 3); }
 // Most walks leave before their twins.
 TEST(Control, ThinBall) { expect_same(ball(.2), 1.1); }
+// Twins fly farther than any way through the scene, four radii.
+TEST(Control, ThinnestBall) { expect_same(ball(1.1), 1); }
+TEST(Control, ThinBleedingBall) { expect_same(ball(.35, R"(, "subsurface_bleed": 0.5)"), 1); }
 TEST(Control, ClassicalWalks) {
     scene::Scene scene = ball(.03);
     scene.render.guiding = shared::GUIDING_NONE;
