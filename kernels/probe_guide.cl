@@ -54,5 +54,6 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_return
     view.returned = returned;
     const uint i = get_global_id(0);
     if (i >= count) return;
-    out[i] = exp(returned_log(&view, first, points[i].x, points[i].y, points[i].z, returned_cosine(&view, points[i].w)));
+    const TablePlace cosine = returned_cosine(&view, points[i].w);
+    out[i] = exp_scalar(returned_log(&view, first, points[i].x, points[i].y, points[i].z, cosine));
 }

@@ -45,9 +45,9 @@ float3 half_space_returns(const Scene *scene, const PATH_SPACE Path *path, float
     global const Material *material = scene->materials + scene->objects[path->object].material;
     const TablePlace place = returned_cosine(scene, cosine);
     const float3 depths = fmax(depth, 0.0f) * path->sigma.xyz, albedo = path->albedo.xyz, g = path->anisotropy.xyz;
-    return exp((float3)(returned_log(scene, material->returned_first[0], albedo.x, g.x, depths.x, place),
-                        returned_log(scene, material->returned_first[1], albedo.y, g.y, depths.y, place),
-                        returned_log(scene, material->returned_first[2], albedo.z, g.z, depths.z, place)));
+    return (float3)(exp_scalar(returned_log(scene, material->returned_first[0], albedo.x, g.x, depths.x, place)),
+                    exp_scalar(returned_log(scene, material->returned_first[1], albedo.y, g.y, depths.y, place)),
+                    exp_scalar(returned_log(scene, material->returned_first[2], albedo.z, g.z, depths.z, place)));
 }
 
 #endif

@@ -10,7 +10,7 @@ namespace {
 /// What balls of this colour give to a channel's share in the draws of hero walks: kernels/walk/walk.h.
 constexpr double color[] = {.95, .6, .3}, least_share = .3;
 
-/// A heap of balls of skin in a white sky, one sample a pixel: its red, green and blue are what walks have made of 1,
+/// A heap of balls of skin in a white sky, one sample a pixel, classical walks: its red, green and blue are what walks have made of 1,
 /// 1, 1. Of every pixel their sum, each times what its channel's draws are in proportion to, over that of 1, 1, 1.
 std::vector<double> sums(const std::string &sampling, double g) {
     std::string balls;
@@ -21,7 +21,8 @@ std::vector<double> sums(const std::string &sampling, double g) {
     const io::Picture picture = rendered(scene_of(fmt::format(
                                              R"({{"camera": {{"position": [3, 2, 5], "target": [0, 0, 0], "fov": 30}},
                           "image": {{"width": 96, "height": 96}},
-                          "render": {{"spp": 1, "max_depth": 0, "channel_sampling": "{}", "guiding": "none"}},
+                          "render": {{"spp": 1, "max_depth": 0, "channel_sampling": "{}", "guiding": "none",
+                            "control_variate": false}},
                           "materials": {{"skin": {{"subsurface_weight": 1, "subsurface_color": [{}, {}, {}],
                             "subsurface_radius": 0.1, "subsurface_radius_scale": [1, 0.35, 0.2],
                             "subsurface_scatter_anisotropy": {}, "specular_weight": 0}}}},
