@@ -10,8 +10,9 @@ namespace {
 /// What balls of this colour give to a channel's share in the draws of hero walks: kernels/walk/walk.h.
 constexpr double color[] = {.95, .6, .3}, least_share = .3;
 
-/// A heap of balls of skin in a white sky, one sample a pixel, classical walks: its red, green and blue are what walks have made of 1,
-/// 1, 1. Of every pixel their sum, each times what its channel's draws are in proportion to, over that of 1, 1, 1.
+/// A heap of balls of skin in a white sky, one sample a pixel, classical walks: its red, green and blue are what walks
+/// have made of 1, 1, 1. Of every pixel their sum, each times what its channel's draws are in proportion to, over that
+/// of 1, 1, 1.
 std::vector<double> sums(const std::string &sampling, double g) {
     std::string balls;
     for (int i = 0; i < 27; ++i)
