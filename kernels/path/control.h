@@ -7,6 +7,9 @@
 #include "walk/returned.h"
 #include "walk/twin.h"
 
+// Light on the far side over that on the near side, as guides have it, from which on a surface counts as lit from behind.
+#define CONTROL_MOST_FAR_LIGHT 10.0f
+
 // Whether a walk that begins at `surface` is to have a twin: only where light comes from that side. Later walks of a path make
 // less of a pixel's noise.
 bool control_pays(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface) {

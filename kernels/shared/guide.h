@@ -47,10 +47,6 @@ SHARED_END
 #define GUIDE_PROBE_START 1e-5f
 #define GUIDE_THICK 1e9f
 
-// Light on the far side over that on the near side from which on a surface counts as lit from behind: its walks have no control
-// variate.
-#define CONTROL_MOST_FAR_LIGHT 10.0f
-
 // A side is never taken to have less than this of the other one's light: the estimate is a coarse one.
 #define GUIDE_LEAST_LIGHT 0.05f
 

@@ -12,12 +12,12 @@ using namespace shared;
 /// From which thickness on, in the scene's units, a control variate pays. It takes away the noise of the channels'
 /// weights, of which grey media have next to none. In variance times time it is as good with as without, in the largest
 /// of the medium's diffusion lengths: balls under a lamp and some sky at .08 where the least is a twentieth of it
-/// (skin), .4 (g 0) and .1 (g .8) at .44 (wax), 1.5 where all are alike, but 2 to 3 in light from everywhere; at g 0
-/// and bleed .5 balls of skin of .34 are 1.36 times as good with, at g .8 those of .09 .75, at bleed 1 of .34 .7, of .9
-/// 1.14 and of 3.4 1.5 times. This is a fit to those. Flat bodies have guides, which leave less noise: slabs of skin of
-/// .17 in light from everywhere are .55 times as good with, of .85 1.4 times, grey ones of 4.7 12 times.
-/// In dark media, whose walks are over soon, it is the longer way to the light that costs: at 3.3 balls of .02 are .78
-/// times as good with, at 31 3.4 times.
+/// (skin), .4 (g 0) and .1 (g .8) at .44 (wax), 1.5 where all are alike; there in light from everywhere it is .3 times
+/// as good at .9, 1.1 times at 1.9 and 1.5 times at 3.4. At g 0 and bleed .5 balls of skin of .34 are 1.36 times as
+/// good with, at g .8 those of .09 .75, at bleed 1 of .34 .7, of .9 1.14 and of 3.4 1.5 times. This is a fit to those.
+/// Flat bodies have guides, which leave less noise: slabs of skin of .17 in light from everywhere are .55 times as good
+/// with, of .85 3.5 times, grey ones of 4.7 12 times. In dark media, whose walks are over soon, it is the longer way to
+/// the light that costs: at 3.3 balls of .02 are .78 times as good with, at 31 3.4 times.
 double least_thickness(const Vec3 &lengths, double bleed, bool flat, bool dark) {
     const double largest = lengths.maxCoeff();
     if (!(largest > 0)) return 0;

@@ -13,19 +13,11 @@ constexpr int points_per_object = 512;
 
 float4 to_float4(const Vec3f &v, float w) { return {v.x(), v.y(), v.z(), w}; }
 
+/// Whether a surface turns towards the camera.
 bool faces(const Camera &camera, const float4 &point, const float4 &normal) {
     const float4 &d = camera.forward, &p = camera.position;
     if (camera.kind == CAMERA_ORTHOGRAPHIC) return normal.x * d.x + normal.y * d.y + normal.z * d.z < 0;
     return normal.x * (p.x - point.x) + normal.y * (p.y - point.y) + normal.z * (p.z - point.z) > 0;
-}
-
-/// As control_pays (kernels/path/control.h) asks: not lit from behind.
-bool is_lit(const LightSides &sides, const float4 &n) {
-    const float4 &u = sides.upper, &l = sides.lower;
-    const float x = n.x * n.x, y = n.y * n.y, z = n.z * n.z;
-    const float near = x * (n.x > 0 ? u.x : l.x) + y * (n.y > 0 ? u.y : l.y) + z * (n.z > 0 ? u.z : l.z);
-    const float far = x * (n.x > 0 ? l.x : u.x) + y * (n.y > 0 ? l.y : u.y) + z * (n.z > 0 ? l.z : u.z);
-    return !(far >= CONTROL_MOST_FAR_LIGHT * near);
 }
 
 } // namespace
@@ -99,10 +91,9 @@ void measure_light_sides(const device::Device &device, const device::Program &pr
     device.queue.enqueueWriteBuffer(scene.sides().buffer, true, 0, found.size() * sizeof(LightSides), found.data());
 
     uint lit_in_sight = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const float4 &point = scene.light_points[2 * k], &normal = scene.light_points[2 * k + 1];
-        if (faces(scene.frame.camera, point, normal) && is_lit(found[std::size_t(point.w)], normal)) lit_in_sight = 1;
-    }
+    for (std::uint32_t k = 0; k < count; ++k)
+        if (irradiance[k] > 0 && faces(scene.frame.camera, scene.light_points[2 * k], scene.light_points[2 * k + 1]))
+            lit_in_sight = 1;
     if (scene.frame.lone_rays > lit_in_sight)
         device.queue.enqueueWriteBuffer(scene.buffers[0].buffer, true, offsetof(Frame, lone_rays), sizeof lit_in_sight,
                                         &lit_in_sight);

@@ -17,8 +17,8 @@ bool is_measured(const shared::Object &object);
 std::vector<shared::float4> light_points(const scene::Scene &scene, const Geometry &geometry);
 
 /// Measures the light on these points with the kernel of `program` and tells the scene's walks which sides of its
-/// objects have more. Until then they take all for equal. Where every side in the camera's sight is lit from behind, so
-/// that no walk has a control variate, samples share camera rays as without one.
+/// objects have more. Until then they take all for equal. Where nothing that faces the camera is lit, so that no
+/// walk has a use for its control variate, samples share camera rays as without one.
 void measure_light_sides(const device::Device &device, const device::Program &program, const DeviceScene &scene,
                          device::Recorder &recorder);
 

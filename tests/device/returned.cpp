@@ -4,6 +4,7 @@
 #include "base/legendre.h"
 #include "device/buffer.h"
 #include "device/program.h"
+#include "device/recorder.h"
 #include "render/convert.h"
 #include "render/returned.h"
 #include "shared/features.h"
@@ -59,9 +60,7 @@ Error error_of(double g, double bleed, const Vec3 &albedo, bool textured) {
     kernel.setArg(3, at);
     kernel.setArg(4, count);
     kernel.setArg(5, out);
-    const std::size_t group = std::size_t(device->quirks.work_group);
-    device->queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group),
-                                       cl::NDRange(group));
+    device::Recorder(nullptr).run(*device, kernel, count);
     std::vector<float> found(count);
     device->queue.enqueueReadBuffer(out, true, 0, count * sizeof(float), found.data());
 

@@ -54,7 +54,7 @@ TEST(Control, OnlyWhereTheColorIsKnown) {
     EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.materials[0].max_depth = 1000; })));
     EXPECT_FALSE(controlled(changed([](scene::Scene &s) { s.render.control = false; })));
     EXPECT_FALSE(controlled(changed([](scene::Scene &s) {
-        s.materials[0][shared::PARAMETER_subsurface_bleed].value.setConstant(1.5); // which modes do not hold
+        s.materials[0][shared::PARAMETER_subsurface_bleed].value.setConstant(1); // deeper than the tables
     })));
     EXPECT_FALSE(controlled(face(2)));
     // Nothing is thick against the diffusion length of white.
@@ -77,9 +77,9 @@ TEST(Control, OnlyWhereItPays) {
     const Vec3 grey = {.8, .8, .8}, even = {1, 1, 1}, uneven = {1, .35, .2}; // diffusion length: 5.9 mean free paths
     EXPECT_TRUE(controlled(grey, even, .02));
     EXPECT_FALSE(controlled(grey, even, .03));
-    EXPECT_TRUE(controlled(grey, uneven, .1));
-    EXPECT_TRUE(controlled(grey, uneven, .1, .5));
-    EXPECT_FALSE(controlled(grey, uneven, .1, 1));
+    EXPECT_TRUE(controlled(grey, uneven, .15));
+    EXPECT_TRUE(controlled(grey, uneven, .15, .5));
+    EXPECT_FALSE(controlled(grey, uneven, .15, .75));
     EXPECT_TRUE(controlled({.8, .5, .4}, even, .1));
     EXPECT_FALSE(controlled({1, 1, 1}, even, .005));
     const Vec3 dark = {.02, .02, .02}; // .6 mean free paths
