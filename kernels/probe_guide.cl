@@ -55,5 +55,6 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_return
     const uint i = get_global_id(0);
     if (i >= count) return;
     const TablePlace cosine = returned_cosine(&view, points[i].w);
-    out[i] = exp_scalar(returned_log(&view, first, points[i].x, points[i].y, points[i].z, cosine));
+    out[i] = exp_scalar(returned_log(&view, returned, first, RETURNED_DEPTHS, points[i].x, points[i].y,
+                                     returned_place(points[i].z * (1.0f - points[i].y)), cosine));
 }

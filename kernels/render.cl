@@ -72,4 +72,5 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void layout(globa
     sizes[9] = sizeof(Clearance);
     sizes[10] = sizeof(GuideMode);
     sizes[11] = sizeof(LightSides);
+    sizes[12] = sizeof(Slab);
 }

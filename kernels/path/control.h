@@ -7,21 +7,39 @@
 #include "walk/returned.h"
 #include "walk/twin.h"
 
-// Light on the far side over that on the near side, as guides have it, from which on a surface counts as lit from behind.
-#define CONTROL_MOST_FAR_LIGHT 10.0f
-
-// Whether a walk that begins at `surface` is to have a twin: only where light comes from that side. Later walks of a path make
-// less of a pixel's noise.
-bool control_pays(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface) {
-    global const Object *object = scene->objects + surface->object;
-    if (path->hits > 1u || !(scene->thickness[surface->primitive] > object->control_thickness)) return false;
-    return guide_far_light(scene->sides + surface->object, surface->geometric) < CONTROL_MOST_FAR_LIGHT;
+// Which twin a walk that begins at `surface` is to have: in a slab where light gets through, else in a half-space, unless it is lit
+// from behind. Later walks of a path make less of a pixel's noise.
+uint control_twin(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface) {
+    if (path->hits > 1u) return TWIN_NONE;
+    global const LightSides *sides = scene->sides + surface->object;
+    const float thickness = scene->thickness[surface->primitive], far_light = guide_far_light(sides, surface->geometric);
+    for (uint i = sides->first_slab; HAS(SLABS) && i < sides->first_slab + sides->slab_count; i++) {
+        if (scene->slabs[i].thickness < thickness) continue;
+        if (scene->slabs[i].through * far_light * CONTROL_MOST_LIGHT < 1.0f) break;
+        return TWIN_SLAB + i;
+    }
+    if (sides->lit_in_sight == 0u || far_light > CONTROL_MOST_LIGHT) return TWIN_NONE;
+    return thickness > scene->objects[surface->object].control_thickness ? TWIN_INSIDE : TWIN_NONE;
 }
 
-// The walk's twin begins. `returned`: what a half-space returns, times the walk's first weights.
-void control_begin(const Scene *scene, PATH_SPACE Path *path, const Surface *surface, float3 returned) {
-    path->twin = control_pays(scene, path, surface) ? TWIN_INSIDE : TWIN_NONE;
-    if (path->twin != TWIN_NONE) path->surplus.xyz = returned;
+bool twin_in_slab(const Scene *scene, uint twin) { return HAS(SLABS) && twin >= TWIN_SLAB; }
+
+global const Slab *control_slab(const Scene *scene, uint twin) { return scene->slabs + (twin - TWIN_SLAB); }
+
+// Whether it matters what a twin brings back through the side of the entry.
+bool control_sees_near(const Scene *scene, const Surface *surface, uint twin) {
+    if (!twin_in_slab(scene, twin)) return twin == TWIN_INSIDE;
+    const float far_light = guide_far_light(scene->sides + surface->object, surface->geometric);
+    return control_slab(scene, twin)->through * far_light < CONTROL_MOST_LIGHT;
+}
+
+// The walk's twin begins. `shown`: what a half-space returns; `color`: the walk's first weights.
+void control_begin(const Scene *scene, PATH_SPACE Path *path, uint twin, float3 color, float3 shown) {
+    path->twin = twin;
+    if (twin == TWIN_INSIDE) path->surplus.xyz = color * shown;
+    if (!twin_in_slab(scene, twin)) return;
+    path->surplus.xyz = color * slab_shows(scene, path, control_slab(scene, twin), false);
+    path->surplus_across.xyz = color * slab_shows(scene, path, control_slab(scene, twin), true);
 }
 
 // Numbers for the light about both points: those of the entry, which a path that enters does not need for anything else.
@@ -35,27 +53,54 @@ float3 control_light(const PATH_SPACE Path *path, const Surface *surface, const 
 }
 
 // What the ray will find that leaves the exit.
-Shadow control_bounce(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface) {
-    const float3 direction =
-        lambert_sample(draw_pair(control_sampler(path), DRAW_DIRECTION), surface->shading, surface->geometric);
-    const float pdf = lambert_pdf(direction, surface->shading, surface->geometric);
+Shadow control_bounce(const Scene *scene, const PATH_SPACE Path *path, const Surface *exit) {
+    const float3 direction = lambert_sample(draw_pair(control_sampler(path), DRAW_DIRECTION), exit->shading, exit->geometric);
+    const float pdf = lambert_pdf(direction, exit->shading, exit->geometric);
     Shadow shadow = no_shadow();
-    shadow.ray = path_ray(offset_point(surface->position, surface->error, surface->geometric, direction), direction);
-    const Receiver receiver = receiver_at(shadow.ray.origin, surface->geometric);
+    shadow.ray = path_ray(offset_point(exit->position, exit->error, exit->geometric, direction), direction);
+    const Receiver receiver = receiver_at(shadow.ray.origin, exit->geometric);
     shadow.foreseen = path->throughput.xyz * (light_of_rects(scene, &receiver, direction, MAXFLOAT, pdf, false) +
                                               light_of_sky(scene, &receiver, direction, pdf, false));
     return shadow;
 }
 
-void twin_load(TwinLanes *twin, uint l, const PATH_SPACE Path *path) {
-    const float3 foreseen = path->foreseen.xyz;
-    const bool counts = path->twin == TWIN_INSIDE && foreseen.x + foreseen.y + foreseen.z != 0.0f; // else in darkness
+// Light that is foreseen beside control_light: bounces on either side, and the lights' on the far one. Returns how much of it.
+#define CONTROL_SHADOWS 3u
+
+uint control_foresee(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface, Shadow *shadows) {
+    uint count = 0u;
+    if (control_sees_near(scene, surface, path->twin)) shadows[count++] = control_bounce(scene, path, surface);
+    if (!twin_in_slab(scene, path->twin)) return count;
+    // A little beyond the far side, so that what the walk leaves behind casts no shadow on it.
+    Surface exit = *surface;
+    exit.position -= (1.001f * control_slab(scene, path->twin)->thickness) * surface->geometric;
+    exit.shading = exit.geometric = -surface->geometric;
+    Shadow light = light_lambert(scene, path->throughput.xyz, control_sampler(path), exit.position, exit.error, exit.shading,
+                                 exit.geometric);
+    light.foreseen = light.light;
+    light.light = (float3)(0.0f);
+    shadows[count] = control_bounce(scene, path, &exit);
+    shadows[count + 1u] = light;
+    shadows[count].across = shadows[count + 1u].across = true;
+    return count + 2u;
+}
+
+void twin_load(const Scene *scene, TwinLanes *twin, uint l, const PATH_SPACE Path *path) {
+    const float3 foreseen = HAS(SLABS) ? path->foreseen.xyz + path->foreseen_across.xyz : path->foreseen.xyz;
+    if (HAS(SLABS))
+        LANE_FLOAT(twin->thickness, l) =
+            twin_in_slab(scene, path->twin) ? control_slab(scene, path->twin)->thickness : GUIDE_THICK;
+    const bool counts = path->twin >= TWIN_INSIDE && foreseen.x + foreseen.y + foreseen.z != 0.0f; // else in darkness
     LANE_INT(twin->inside, l) = counts ? MASK_TRUE : 0;
 }
 
 // The twin is out.
-void control_take(PATH_SPACE Path *path, const TwinLanes *twin, uint l) {
-    path->surplus.xyz -= (float3)(LANE_FLOAT(twin->left.x, l), LANE_FLOAT(twin->left.y, l), LANE_FLOAT(twin->left.z, l));
+void control_take(const Scene *scene, PATH_SPACE Path *path, const TwinLanes *twin, uint l) {
+    const float3 left = (float3)(LANE_FLOAT(twin->left.x, l), LANE_FLOAT(twin->left.y, l), LANE_FLOAT(twin->left.z, l));
+    if (HAS(SLABS) && LANE_INT(twin->across, l) != 0)
+        path->surplus_across.xyz -= left;
+    else
+        path->surplus.xyz -= left;
     path->twin = TWIN_OUT;
 }
 
@@ -64,8 +109,14 @@ void control_part(const Scene *scene, PATH_SPACE Path *path, const TwinLanes *tw
     const float3 position =
         (float3)(LANE_FLOAT(twin->position.x, l), LANE_FLOAT(twin->position.y, l), LANE_FLOAT(twin->position.z, l));
     const float3 weight = (float3)(LANE_FLOAT(twin->weight.x, l), LANE_FLOAT(twin->weight.y, l), LANE_FLOAT(twin->weight.z, l));
-    const float depth = path->outward.w - dot(path->outward.xyz, position);
-    path->surplus.xyz -= weight * half_space_returns(scene, path, depth, dot(path->outward.xyz, path->direction.xyz));
+    const float depth = path->outward.w - dot(path->outward.xyz, position), rise = dot(path->outward.xyz, path->direction.xyz);
+    if (!twin_in_slab(scene, path->twin)) {
+        path->surplus.xyz -= weight * half_space_returns(scene, path, depth, rise);
+    } else {
+        global const Slab *slab = control_slab(scene, path->twin);
+        path->surplus.xyz -= weight * slab_returns(scene, path, slab, depth, rise);
+        path->surplus_across.xyz -= weight * slab_returns(scene, path, slab, slab->thickness - depth, -rise);
+    }
     path->twin = TWIN_OUT;
 }
 

@@ -55,7 +55,7 @@ void path_begin(const Scene *scene, PATH_SPACE Path *path, uint x, uint y, uint 
     path->outward = (float4)(0.0f);
     path->bleed = path->first_number = path->thickness = path->far_light = 0.0f;
     path->object = path->flight = path->max_depth = path->channel = path->steps = path->depth = path->tries = 0u;
-    path->foreseen = path->surplus = (float4)(0.0f);
+    path->foreseen = path->surplus = path->foreseen_across = path->surplus_across = (float4)(0.0f);
     path->scatters = path->twin = 0u; // all of it: a suspended path is copied whole
     path->key = sampler_key(scene->frame->seed, path->pixel, sample);
 }
@@ -152,7 +152,8 @@ Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Mate
     const Sampler sampler = path_sampler(path);
     const float2 lobe = draw_pair(sampler, DRAW_LOBE);
     LightSample sample;
-    const bool foresees = HAS(CONTROL) && control_pays(scene, path, surface);
+    const uint twin = HAS(CONTROL) ? control_twin(scene, path, surface) : TWIN_NONE;
+    const bool foresees = HAS(CONTROL) && control_sees_near(scene, surface, twin);
     Specular specular;
     const bool shiny = HAS(SPECULAR) && specular_at(scene, material, surface, view, &specular);
     const float4 base = shiny ? base_at(scene, material, surface->uv) : (float4)(0.0f);
@@ -177,8 +178,8 @@ Shadow path_scatter(const Scene *scene, PATH_SPACE Path *path, global const Mate
             if (HAS(DIFFUSION_MODEL) && material->model != MODEL_RANDOM_WALK)
                 diffusion_enter(scene, path, material, surface, counts);
             else
-                path_enter(scene, path, sampler, surface, counts);
-            if (foresees && lit && path->twin != TWIN_NONE) foreseen = control_light(path, surface, &sample);
+                path_enter(scene, path, sampler, surface, twin, counts);
+            if (foresees && lit && path->state == PATH_WALK) foreseen = control_light(path, surface, &sample);
         } else {
             path->throughput.xyz *= material_color(scene, material, PARAMETER_base_color, surface->uv);
             path->direction.xyz = lambert_sample(draw_pair(sampler, DRAW_DIRECTION), surface->shading, surface->geometric);

@@ -9,11 +9,13 @@ typedef struct {
     Ray ray;
     float3 light;    // to add to the path's radiance
     float3 foreseen; // to its control variate (path/control.h); both 0: nothing to ask
+    bool across;     // that of a slab's other side
 } Shadow;
 
 Shadow no_shadow(void) {
     Shadow shadow;
     shadow.light = shadow.foreseen = (float3)(0.0f);
+    shadow.across = false;
     return shadow;
 }
 
@@ -27,16 +29,18 @@ bool shadow_asked(const Scene *scene, const Shadow *shadow) {
 }
 
 // It arrives.
-void shadow_light(const Scene *scene, PATH_SPACE Path *path, float3 light, float3 foreseen) {
+void shadow_light(const Scene *scene, PATH_SPACE Path *path, float3 light, float3 foreseen, bool across) {
     path->radiance.xyz += light;
-    if (HAS(CONTROL)) path->foreseen.xyz += foreseen;
+    if (HAS(SLABS) && across)
+        path->foreseen_across.xyz += foreseen;
+    else if (HAS(CONTROL))
+        path->foreseen.xyz += foreseen;
 }
 
 // `light` arrives at `position` along `sample` unless something is in the way.
 Shadow shadow_of(float3 position, float3 error, float3 geometric, const LightSample *sample, float3 light) {
-    Shadow shadow;
+    Shadow shadow = no_shadow();
     shadow.light = light;
-    shadow.foreseen = (float3)(0.0f);
     shadow.ray.origin = offset_point(position, error, geometric, sample->direction);
     shadow.ray.direction = sample->direction;
     shadow.ray.t_min = 0.0f;

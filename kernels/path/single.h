@@ -12,7 +12,7 @@ void single_light(const Scene *scene, PATH_SPACE Path *path, const Shadow *shado
     counts->value[COUNTER_shadow_rays] += 1u;
     if (!trace_any(shadow->ray, scene->nodes, scene->blocks,
                    scene->frame->bvh_root AND_PROFILED(counts->profile + PROFILE_shadow_nodes)))
-        shadow_light(scene, path, shadow->light, shadow->foreseen);
+        shadow_light(scene, path, shadow->light, shadow->foreseen, shadow->across);
 }
 
 // Takes up to *budget flights and counts them down. The path is then out, done, or still inside. Returns the direct light of
@@ -23,7 +23,7 @@ Shadow single_walk(const Scene *scene, PATH_SPACE Path *path, uint *budget, Coun
     lane_load(scene, &lanes, 0u, path, 0u);
     for (; *budget > 0u; *budget -= 1u) {
         const TurnEnds ends = walk_turn(scene, &lanes, &stream, 1u, counts);
-        if (HAS(CONTROL) && ends.twins != 0u) control_take(path, &lanes.twin, 0u);
+        if (HAS(CONTROL) && ends.twins != 0u) control_take(scene, path, &lanes.twin, 0u);
         if (turn_ended(ends) == 0u) continue;
         *budget -= 1u;
         return lane_end(scene, &lanes, &stream, 0u, ends, path, counts, layers);
@@ -35,14 +35,15 @@ Shadow single_walk(const Scene *scene, PATH_SPACE Path *path, uint *budget, Coun
 // Goes on until the path is done or has used up its budget.
 void single_advance(const Scene *scene, PATH_SPACE Path *path, uint budget, Counts *counts, global float4 *layers) {
     while (path->state != PATH_DONE && budget > 0u) {
-        Shadow shadow, bounce = no_shadow();
+        Shadow shadow, more[CONTROL_SHADOWS];
+        uint count = 0u;
         if (path->state == PATH_RAY) {
             const Hit hit = trace_closest(path_ray(path->position.xyz, path->direction.xyz), scene->nodes, scene->blocks,
                                           scene->frame->bvh_root AND_PROFILED(counts->profile + PROFILE_ray_nodes));
             Surface surface;
             shadow = path_meet(scene, path, hit, &surface, false, counts, layers);
             if (HAS(CONTROL) && path->state == PATH_WALK && path->twin != TWIN_NONE)
-                bounce = control_bounce(scene, path, &surface);
+                count = control_foresee(scene, path, &surface, more);
             budget -= min(budget, PATH_RAY_COST);
         } else if (HAS(DIFFUSION_MODEL) && path->state == PATH_PROBE) {
             shadow = diffusion_leave(scene, path, counts);
@@ -50,9 +51,10 @@ void single_advance(const Scene *scene, PATH_SPACE Path *path, uint budget, Coun
         } else {
             shadow = single_walk(scene, path, &budget, counts, layers);
         }
-        for (uint i = 0; i < (HAS(CONTROL) ? 2u : 1u); i++) { // in one place: rays are much code
+        for (uint i = 0;; i++) { // in one place: rays are much code
             single_light(scene, path, &shadow, counts);
-            shadow = bounce;
+            if (i == count) break;
+            shadow = more[i];
         }
     }
 }

@@ -62,6 +62,7 @@ float path_cost(const PATH_SPACE Path *path) {
 void launch_take(const Scene *scene, const Launch *launch, const PATH_SPACE Path *path, Counts *counts) {
     float4 radiance = path->radiance;
     if (HAS(CONTROL)) radiance.xyz += path->foreseen.xyz * path->surplus.xyz;
+    if (HAS(SLABS)) radiance.xyz += path->foreseen_across.xyz * path->surplus_across.xyz;
     LISTED(radiance.w += path_cost(path);)
     if (isfinite(radiance.x + radiance.y + radiance.z)) {
         launch->radiance[path->slot] = radiance;

@@ -19,7 +19,8 @@ void path_below(const Scene *scene, PATH_SPACE Path *path, const Surface *surfac
 
 // Sends the path into the medium below `surface`, on the inner side of its geometric normal. Where a ray met the back of an
 // open mesh that side is outside: the walk leaves at once, and the sheet shows the light of its other side.
-void path_enter(const Scene *scene, PATH_SPACE Path *path, Sampler sampler, const Surface *surface, Counts *counts) {
+void path_enter(const Scene *scene, PATH_SPACE Path *path, Sampler sampler, const Surface *surface, uint twin,
+                Counts *counts) {
     global const Material *material = scene->materials + scene->objects[surface->object].material;
     const float3 shown = medium_at(scene, material, surface->uv, path);
     const float2 entry = draw_pair(sampler, DRAW_ENTRY), first = draw_pair(sampler, DRAW_FIRST);
@@ -47,7 +48,7 @@ void path_enter(const Scene *scene, PATH_SPACE Path *path, Sampler sampler, cons
     path->weight.xyz = start.weight;
     path->share.xyz = start.share;
     path->channel = start.channel;
-    if (HAS(CONTROL)) control_begin(scene, path, surface, color * shown);
+    if (HAS(CONTROL)) control_begin(scene, path, twin, color, shown);
     counts->value[COUNTER_walks] += 1u;
 }
 
@@ -114,7 +115,7 @@ void lane_load(const Scene *scene, WalkLanes *lanes, uint l, const PATH_SPACE Pa
     if (HAS(CLEARANCE)) clearance_set(&lanes->field, l, &object->clearance);
     if (GUIDED || HAS(CONTROL)) plane_load(&lanes->guide, l, path);
     if (GUIDED) guide_load(scene, &lanes->guide, l, path);
-    if (HAS(CONTROL)) twin_load(&lanes->twin, l, path);
+    if (HAS(CONTROL)) twin_load(scene, &lanes->twin, l, path);
 }
 
 // Takes what a walk changes back into its path.

@@ -27,7 +27,7 @@ typedef struct {
     RayStream stream;
     RayStream shadows;         // rays to lights
     float4 light[STREAM_RAYS]; // what they bring; w: the path's place in the pool
-    float4 foreseen[STREAM_RAYS];
+    float4 foreseen[STREAM_RAYS]; // w: across
     uint shadow_count;
 } Worker;
 
@@ -39,14 +39,15 @@ void worker_light(const Scene *scene, Worker *worker, Counts *counts) {
                  MEET_ANY AND_PROFILED(counts->profile + PROFILE_shadow_nodes));
     for (uint i = 0; i < worker->shadow_count; i++)
         if (worker->shadows.block[i] == BVH_NO_PRIMITIVE)
-            shadow_light(scene, worker->pool + as_uint(worker->light[i].w), worker->light[i].xyz, worker->foreseen[i].xyz);
+            shadow_light(scene, worker->pool + as_uint(worker->light[i].w), worker->light[i].xyz, worker->foreseen[i].xyz,
+                         worker->foreseen[i].w != 0.0f);
     worker->shadow_count = 0u;
 }
 
 void worker_ask_light(const Scene *scene, Worker *worker, uint at, const Shadow *shadow, Counts *counts) {
     if (!shadow_asked(scene, shadow)) return;
     worker->light[worker->shadow_count] = (float4)(shadow->light, as_float(at));
-    if (HAS(CONTROL)) worker->foreseen[worker->shadow_count].xyz = shadow->foreseen;
+    if (HAS(CONTROL)) worker->foreseen[worker->shadow_count] = (float4)(shadow->foreseen, shadow->across ? 1.0f : 0.0f);
     stream_put(&worker->shadows, worker->shadow_count, shadow->ray, scene->frame->bvh_root);
     worker->shadow_count++;
     if (worker->shadow_count == STREAM_RAYS) worker_light(scene, worker, counts);
@@ -127,8 +128,9 @@ void worker_trace(const Scene *scene, Worker *worker, const Launch *launch, Coun
                                             counts, launch_layers(scene, launch, path->slot));
             worker_ask_light(scene, worker, at, &shadow, counts);
             if (HAS(CONTROL) && path->state == PATH_WALK && path->twin != TWIN_NONE) {
-                const Shadow bounce = control_bounce(scene, path, &surface);
-                worker_ask_light(scene, worker, at, &bounce, counts);
+                Shadow more[CONTROL_SHADOWS];
+                const uint count = control_foresee(scene, path, &surface, more);
+                for (uint k = 0; k < count; k++) worker_ask_light(scene, worker, at, more + k, counts);
             }
         }
         worker_light(scene, worker, counts);
@@ -168,7 +170,7 @@ void worker_walk(const Scene *scene, Worker *worker, const Launch *launch, Count
         const TurnEnds ends = walk_turn(scene, worker->lanes, &worker->stream, worker->walking, counts);
         if (HAS(CONTROL)) {
             FOR_WALKS(w, ends.twins)
-                control_take(worker->pool + LANE_UINT(worker->lanes[w / LANES].path, w % LANES),
+                control_take(scene, worker->pool + LANE_UINT(worker->lanes[w / LANES].path, w % LANES),
                              &worker->lanes[w / LANES].twin, w % LANES);
         }
         const Walks ended = turn_ended(ends);

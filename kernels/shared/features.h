@@ -29,7 +29,8 @@
     X(INTERFACE)         /* refracted entry, or reflection inside, somewhere */                                              \
     X(DIFFUSION_MODEL)   /* a material with a subsurface_model other than random_walk */                               \
     X(ALBEDO_TABLE)      /* a material whose albedo follows a texture of colours, g or bleed */                        \
-    X(CONTROL)           /* walks in some object have a control variate */
+    X(CONTROL)           /* walks in some object have a control variate */                                             \
+    X(SLABS)             /* in some a plate's, of both its sides; brings CONTROL */
 
 SHARED_BEGIN
 

@@ -39,6 +39,9 @@ struct GuideMode {
 // Light on the surfaces of one object that face +x, +y, +z and -x, -y, -z, relative to each other.
 struct LightSides {
     float4 upper, lower;
+    uint first_slab, slab_count; // those its twins may be in (shared/returned.h), by thickness
+    uint lit_in_sight; // whether the camera sees enough of its light for control variates of its near side
+    uint pad;
 };
 
 SHARED_END
@@ -49,6 +52,9 @@ SHARED_END
 
 // A side is never taken to have less than this of the other one's light: the estimate is a coarse one.
 #define GUIDE_LEAST_LIGHT 0.05f
+
+// What comes from one side over what comes from the other from which on a control variate takes it for all.
+#define CONTROL_MOST_LIGHT 10.0f
 
 #ifdef __OPENCL_C_VERSION__
 typedef struct GuideMode GuideMode;

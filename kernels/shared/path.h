@@ -9,8 +9,8 @@ SHARED_BEGIN
 // probe: below a surface with a diffusion model.
 enum PathState { PATH_RAY, PATH_WALK, PATH_PROBE, PATH_DONE };
 
-// The control variate of a path's first walk (walk/twin.h): none, in its half-space, out of it.
-enum Twin { TWIN_NONE, TWIN_INSIDE, TWIN_OUT };
+// The control variate of a path's first walk (walk/twin.h): none, out, in its half-space, and, TWIN_SLAB + i, in slab i.
+enum Twin { TWIN_NONE, TWIN_OUT, TWIN_INSIDE, TWIN_SLAB };
 
 struct Path {
     float4 position;   // start of the next ray or flight
@@ -25,6 +25,7 @@ struct Path {
     float4 outward;    // ray: geometric normal where it starts; walk: the near side's normal, as its guide sees it; w: dot(normal, entry)
     float4 foreseen;   // direct light about the entry, as far as it arrives, times `throughput`
     float4 surplus;    // what a half-space returns in the mean less what the twin brought back: to add so much of `foreseen`
+    float4 foreseen_across, surplus_across; // the same of a slab's other side
     float bleed;
     float first_number; // walk: the random number of its first flight
     uint slot;         // of the batch: where its radiance goes

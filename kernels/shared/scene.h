@@ -98,7 +98,7 @@ struct Object {
     uint closed; // every edge has two triangles: a walk can only leave through the surface
     float guided; // share of the guided techniques in its walks, 0: they are classical
     float control_thickness; // where it is thicker walks have a control variate
-    uint pad;
+    uint plate;    // walks may have a control variate of both its sides
     Clearance clearance; // for walks
 };
 

@@ -7,6 +7,7 @@
 #include "shared/features.h"
 #include "shared/guide.h"
 #include "shared/path.h"
+#include "shared/returned.h"
 #include "shared/scene.h"
 
 // No contraction: the compiler may not fuse a * b + c as it likes, so every variant does the same arithmetic.
@@ -38,8 +39,10 @@ typedef struct {
     global const GuideMode *modes;      // of the materials
     global const float *similarities;   // of the materials: shared/inversion.h
     global const float *returned;       // of the materials: shared/returned.h
-    global const LightSides *sides;     // of the objects, and, last,
-    global const float *thickness;      // below each primitive: DeviceScene::thickness
+    global const LightSides *sides;     // of the objects
+    global const float *thickness;      // below each primitive
+    global const Slab *slabs;           // of the objects that are lit from behind
+    global const float *transmitted;    // of the slabs: shared/returned.h
 } Scene;
 
 #define SCENE_PARAMETERS                                                                                               \
@@ -48,11 +51,12 @@ typedef struct {
         global const Material *materials, global const Texture *textures, global const half *texels,                  \
         global const Light *lights, global const AliasEntry *light_table, global const AliasEntry *environment_table, \
         global const float4 *environment, global const uint *clearance, global const GuideMode *modes, \
-        global const float *similarities, global const float *returned, global const LightSides *sides, global const float *thickness
+        global const float *similarities, global const float *returned, global const LightSides *sides, global const float *thickness, \
+        global const Slab *slabs, global const float *transmitted
 
 #define SCENE_ARGUMENTS                                                                                                \
     frame, nodes, blocks, objects, triangles, normals, uvs, materials, textures, texels, lights, light_table,         \
-        environment_table, environment, clearance, modes, similarities, returned, sides, thickness
+        environment_table, environment, clearance, modes, similarities, returned, sides, thickness, slabs, transmitted
 
 // HAS(x): does this scene need x? Known at compile time, or with --generic asked of the scene at run time.
 #ifdef GENERIC

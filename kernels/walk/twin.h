@@ -14,23 +14,29 @@
 #include "walk/walk.h"
 
 typedef struct {
-    mask inside; // the walk has a twin, still in its half-space
-    real drawn;  // length of the flight if nothing is in its way
+    mask inside;    // the walk has a twin, still in its half-space or slab
+    real thickness; // of its slab; GUIDE_THICK: a half-space
+    real drawn;     // length of the flight if nothing is in its way
     // Of this turn:
-    real3 left;            // weight with which a twin left its half-space
+    real3 left;            // weight with which a twin left
+    mask across;           // through the far side
     real3 position;        // where one scatters that is left behind,
     real3 weight;          // and with which weight
 } TwinLanes;
 
-// Lets the twins of the lanes `flown` out that reach their plane, before their walks arrive. Returns those that leave.
+// Lets the twins of the lanes `flown` out that reach their plane, or the far one, before their walks arrive. Returns those that
+// leave.
 uint twins_leave(const Scene *scene, TwinLanes *twin, const Walk *walk, const GuideLanes *guide, uint flown) {
     const real rise = dot3(guide->outward, walk->direction), depth = guide->offset - dot3(guide->outward, walk->position);
-    const mask leaves = twin->inside & (rise > 0.0f) & (depth < twin->drawn * rise) & mask_of(flown);
+    const mask outwards = rise > 0.0f;
+    const real speed = HAS(SLABS) ? fabs(rise) : rise, ahead = HAS(SLABS) ? pick(outwards, depth, twin->thickness - depth) : depth;
+    const mask leaves = twin->inside & (speed > 0.0f) & (ahead < twin->drawn * speed) & mask_of(flown);
     const uint left = bits(leaves);
     if (left == 0u) return 0u;
     Walk out = *walk;
-    walk_arrive(scene, &out, guide, max(depth, (real)(0.0f)) / pick(leaves, rise, (real)(1.0f)), leaves);
+    walk_arrive(scene, &out, guide, max(ahead, (real)(0.0f)) / pick(leaves, speed, (real)(1.0f)), leaves);
     twin->left = out.weight;
+    twin->across = outwards == 0;
     twin->inside = pick(leaves, (mask)(0), twin->inside);
     return left;
 }

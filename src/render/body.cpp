@@ -1,5 +1,6 @@
 #include "render/body.h"
 #include "scene/mean.h"
+#include <Eigen/Eigenvalues>
 
 namespace nacre::render {
 
@@ -29,10 +30,21 @@ double light_path(const scene::Scene &scene, const scene::Material &material) {
 }
 
 bool is_flat(const scene::Scene &scene, const scene::Object &object) {
-    constexpr double flat_size = 500, flat_ratio = 20;
-    const double size = extent(object.mesh);
-    return size > flat_size * light_path(scene, scene.materials[object.material]) ||
-           size > flat_ratio * thickness(object.mesh);
+    constexpr double flat_size = 500;
+    return extent(object.mesh) > flat_size * light_path(scene, scene.materials[object.material]) ||
+           is_plate(object.mesh);
+}
+
+bool is_plate(const scene::Mesh &mesh) {
+    constexpr double shell_ratio = 20, least_alike = 0.65; // cubes and balls 1/3, a box of 4 x 4 x 1 2/3
+    if (extent(mesh) > shell_ratio * thickness(mesh)) return true;
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(); // of the normals
+    for (const auto &[a, b, c] : mesh.triangles) {
+        const Vec3 area = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+        if (area.norm() > 0) spread += area * area.transpose() / area.norm();
+    }
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues()[2] >
+           least_alike * spread.trace();
 }
 
 bool is_dark(const scene::Scene &scene, const scene::Material &material) {

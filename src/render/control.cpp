@@ -44,6 +44,12 @@ bool knows_color(const scene::Material &material) {
            !material.internal_reflection && material.max_depth == 0 && in_table(material);
 }
 
+/// One medium everywhere, so that a few tables hold what slabs of it return.
+bool is_uniform(const scene::Material &material) {
+    return !scene::inverts_texture(material) && material[PARAMETER_subsurface_radius].texture < 0 &&
+           material[PARAMETER_subsurface_radius_scale].texture < 0;
+}
+
 } // namespace
 
 bool choose_control(const scene::Scene &scene, const scene::Frame &frame, std::uint32_t features, Geometry &geometry) {
@@ -53,6 +59,8 @@ bool choose_control(const scene::Scene &scene, const scene::Frame &frame, std::u
         const scene::Material &material = scene.materials[object.material];
         geometry.objects[i].control_thickness = GUIDE_THICK;
         if (!scene.render.control || (features & FEATURE_SCATTER_AOV) || !knows_color(material)) continue;
+        if (geometry.objects[i].closed && is_uniform(material) && is_plate(object.mesh))
+            geometry.objects[i].plate = some = true;
         const double least =
             least_thickness(diffusion_length(scene, material), material[PARAMETER_subsurface_bleed].value.x(),
                             is_flat(scene, object), is_dark(scene, material));

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "shared/guide.h"
 #include "shared/path.h"
+#include "shared/returned.h"
 #include "shared/scene.h"
 #include <array>
 
@@ -15,8 +16,8 @@ static_assert(sizeof(Material) == 16 * (PARAMETER_COUNT + 1) + 4 * PARAMETER_COU
 static_assert(sizeof(Texture) == 48 && sizeof(Object) == 80 && sizeof(AliasEntry) == 8);
 static_assert(sizeof(Light) == 112 && offsetof(Light, kind) == 80);
 static_assert(sizeof(Frame) % 16 == 0 && offsetof(Frame, width) == 96);
-static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, bleed) == 192);
-static_assert(sizeof(Batch) == 32 && sizeof(GuideMode) == 64 && sizeof(LightSides) == 32);
+static_assert(sizeof(Path) % 16 == 0 && offsetof(Path, bleed) == 224);
+static_assert(sizeof(Batch) == 32 && sizeof(GuideMode) == 64 && sizeof(LightSides) == 48 && sizeof(Slab) == 32);
 
 struct Size {
     const char *name;
@@ -24,7 +25,7 @@ struct Size {
 };
 
 // In the order of the kernel `layout`.
-constexpr std::array<Size, 12> sizes = {{{"Camera", sizeof(Camera)},
+constexpr std::array<Size, 13> sizes = {{{"Camera", sizeof(Camera)},
                                          {"Material", sizeof(Material)},
                                          {"Texture", sizeof(Texture)},
                                          {"Object", sizeof(Object)},
@@ -35,7 +36,8 @@ constexpr std::array<Size, 12> sizes = {{{"Camera", sizeof(Camera)},
                                          {"Batch", sizeof(Batch)},
                                          {"Clearance", sizeof(Clearance)},
                                          {"GuideMode", sizeof(GuideMode)},
-                                         {"LightSides", sizeof(LightSides)}}};
+                                         {"LightSides", sizeof(LightSides)},
+                                         {"Slab", sizeof(Slab)}}};
 
 } // namespace
 

@@ -13,12 +13,21 @@ constexpr int points_per_object = 512;
 
 float4 to_float4(const Vec3f &v, float w) { return {v.x(), v.y(), v.z(), w}; }
 
-/// Whether a surface turns towards the camera.
-bool faces(const Camera &camera, const float4 &point, const float4 &normal) {
-    const float4 &d = camera.forward, &p = camera.position;
-    if (camera.kind == CAMERA_ORTHOGRAPHIC) return normal.x * d.x + normal.y * d.y + normal.z * d.z < 0;
-    return normal.x * (p.x - point.x) + normal.y * (p.y - point.y) + normal.z * (p.z - point.z) > 0;
+/// Cosine with which the camera sees a surface; none where it turns away.
+double seen(const Camera &camera, const float4 &point, const float4 &normal) {
+    const auto vector = [](const float4 &v) { return Vec3(v.x, v.y, v.z); };
+    const Vec3 towards = camera.kind == CAMERA_ORTHOGRAPHIC ? Vec3(-vector(camera.forward))
+                                                            : Vec3(vector(camera.position) - vector(point));
+    return std::max(0., vector(normal).dot(towards.normalized()));
 }
+
+/// Whether the camera sees enough of the light on an object: a quarter of what it sees has .3 times as much as all of it
+/// has in the mean. Bear and head have .5 to .8 of that, balls before a lamp none, the bear with one behind it .05.
+/// There twins are no use, and take a third of the time (1.4 times as long with them, at the same noise).
+struct InSight {
+    double light = 0, count = 0, seen = 0, lit = 0;
+    bool enough() const { return lit > 0.25 * seen; }
+};
 
 } // namespace
 
@@ -28,7 +37,21 @@ bool has_sides(const scene::Scene &scene) {
            (scene::features(scene, false, false) & FEATURE_EMISSION);
 }
 
-bool is_measured(const Object &object) { return object.guided > 0 || object.control_thickness < GUIDE_THICK; }
+bool is_measured(const Object &object) {
+    return object.guided > 0 || object.control_thickness < GUIDE_THICK || object.plate;
+}
+
+double far_light(const LightSides &sides, const Vec3 &normal) {
+    const float *const lower = &sides.lower.x, *const upper = &sides.upper.x;
+    double near = 0, far = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double share = normal[axis] * normal[axis];
+        near += share * double(normal[axis] > 0 ? upper[axis] : lower[axis]);
+        far += share * double(normal[axis] > 0 ? lower[axis] : upper[axis]);
+    }
+    if (!(near + far > 0)) return 1;
+    return std::clamp(far / near, double(GUIDE_LEAST_LIGHT), 1 / double(GUIDE_LEAST_LIGHT));
+}
 
 std::vector<float4> light_points(const scene::Scene &scene, const Geometry &geometry) {
     std::vector<float4> points;
@@ -54,10 +77,9 @@ std::vector<float4> light_points(const scene::Scene &scene, const Geometry &geom
     return points;
 }
 
-void measure_light_sides(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-                         device::Recorder &recorder) {
+std::vector<LightSides> measure_light(const device::Device &device, const device::Program &program, const DeviceScene &scene,
+                            device::Recorder &recorder) {
     const std::uint32_t count = std::uint32_t(scene.light_points.size() / 2);
-    if (count == 0) return;
     cl::Kernel kernel(program.program, "light_points");
     const cl::Buffer points(device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, 2 * count * sizeof(float4),
                             const_cast<float4 *>(scene.light_points.data()));
@@ -85,18 +107,29 @@ void measure_light_sides(const device::Device &device, const device::Program &pr
             side.weight += double(n[axis] * n[axis]);
         }
     }
+    std::vector<InSight> in_sight(scene.frame.object_count);
+    const auto object_of = [&](std::uint32_t k) { return std::size_t(scene.light_points[2 * k].w); };
+    for (std::uint32_t k = 0; k < count; ++k) {
+        in_sight[object_of(k)].light += double(irradiance[k]);
+        in_sight[object_of(k)].count += 1;
+    }
+    for (std::uint32_t k = 0; k < count; ++k) {
+        InSight &object = in_sight[object_of(k)];
+        const double cosine = seen(scene.frame.camera, scene.light_points[2 * k], scene.light_points[2 * k + 1]);
+        object.seen += cosine;
+        if (double(irradiance[k]) > 0.3 * object.light / object.count) object.lit += cosine;
+    }
     std::vector<LightSides> found;
-    for (const std::array<Side, 6> &s : sides)
-        found.push_back({{s[0].mean(), s[1].mean(), s[2].mean(), 0}, {s[3].mean(), s[4].mean(), s[5].mean(), 0}});
-    device.queue.enqueueWriteBuffer(scene.sides().buffer, true, 0, found.size() * sizeof(LightSides), found.data());
-
-    uint lit_in_sight = 0;
-    for (std::uint32_t k = 0; k < count; ++k)
-        if (irradiance[k] > 0 && faces(scene.frame.camera, scene.light_points[2 * k], scene.light_points[2 * k + 1]))
-            lit_in_sight = 1;
-    if (scene.frame.lone_rays > lit_in_sight)
-        device.queue.enqueueWriteBuffer(scene.buffers[0].buffer, true, offsetof(Frame, lone_rays), sizeof lit_in_sight,
-                                        &lit_in_sight);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const auto &s = sides[i];
+        found.push_back({{s[0].mean(), s[1].mean(), s[2].mean(), 0},
+                         {s[3].mean(), s[4].mean(), s[5].mean(), 0},
+                         0,
+                         0,
+                         in_sight[i].enough(),
+                         0});
+    }
+    return found;
 }
 
 } // namespace nacre::render

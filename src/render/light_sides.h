@@ -2,6 +2,7 @@
 #include "device/program.h"
 #include "device/recorder.h"
 #include "render/upload.h"
+#include "shared/guide.h"
 
 namespace nacre::render {
 
@@ -16,10 +17,14 @@ bool is_measured(const shared::Object &object);
 /// normal. Empty where all sides have the same light.
 std::vector<shared::float4> light_points(const scene::Scene &scene, const Geometry &geometry);
 
-/// Measures the light on these points with the kernel of `program` and tells the scene's walks which sides of its
-/// objects have more. Until then they take all for equal. Where nothing that faces the camera is lit, so that no
-/// walk has a use for its control variate, samples share camera rays as without one.
-void measure_light_sides(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-                         device::Recorder &recorder);
+/// The same light on all sides.
+constexpr shared::LightSides all_alike{{1, 1, 1, 0}, {1, 1, 1, 0}, 0, 0, 1, 0};
+
+/// Light on the other side over that on the side of a surface with this normal (guide/load.h, guide_far_light).
+double far_light(const shared::LightSides &sides, const Vec3 &normal);
+
+/// Measures the light on the scene's light_points, of which there are some, with the kernel of `program`. Of each object.
+std::vector<shared::LightSides> measure_light(const device::Device &device, const device::Program &program,
+                                              const DeviceScene &scene, device::Recorder &recorder);
 
 } // namespace nacre::render

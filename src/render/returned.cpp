@@ -1,11 +1,9 @@
 #include "render/returned.h"
 #include "albedo/half_space.h"
-#include "albedo/returned.h"
-#include "base/legendre.h"
 #include "base/parallel.h"
+#include "render/returned_layer.h"
 #include "shared/guide.h"
 #include "shared/returned.h"
-#include <Eigen/Core>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -14,44 +12,15 @@ namespace nacre::render {
 namespace {
 
 using namespace shared;
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// Flights of up to a million mean free paths, and cosines enough for shares within 1e-4.
-albedo::Ordinates ordinates_of(double g, double bleed, FlightLaw law) {
-    const bool forward = std::abs(g) > 0.8;
-    return {g, bleed, law, bleed > 0 ? (forward ? 12 : 8) : (forward ? 32 : 12), 1e-6};
-}
-
-/// Depth of node i, in transport mean free paths.
-double depth_of(Eigen::Index i) { return double(RETURNED_DEEPEST) * std::pow(double(i) / (RETURNED_DEPTHS - 1), 4); }
-
-/// Lowers nodes, by row and between the first and the last, by what straight lines between the true ones lie above a
-/// curve in the mean: h^2 / 12 times its second derivative on either side.
-template <typename F> void settle(Rows &nodes, const F &at) {
-    const Rows true_nodes = nodes;
-    for (Eigen::Index i = 1; i + 1 < nodes.rows(); ++i) {
-        const double below = at(i) - at(i - 1), above = at(i + 1) - at(i);
-        const auto slope =
-            (true_nodes.row(i + 1) - true_nodes.row(i)) / above - (true_nodes.row(i) - true_nodes.row(i - 1)) / below;
-        nodes.row(i) -= slope * ((below * below + above * above) / (12 * (below + above)));
-    }
-}
-
 /// The logarithms for one similarity, depths x cosines.
 Rows layer_of(const albedo::Ordinates &ordinates, double g, double similarity, Eigen::Index cosines) {
     if (similarity <= 0) return Rows::Zero(RETURNED_DEPTHS, cosines); // white
-    constexpr double least_albedo = 1e-9, least_share = 1e-30;
+    constexpr double least_albedo = 1e-9;
     const albedo::Returned returned(ordinates, g, std::max(least_albedo, albedo::albedo_of(similarity, g)));
-    const Eigen::Index terms = 2 * ordinates.cosines();
-    Rows moments(RETURNED_DEPTHS, terms), polynomials(terms, cosines);
-    for (Eigen::Index i = 0; i < RETURNED_DEPTHS; ++i) moments.row(i) = returned.moments(depth_of(i) / (1 - g));
-    const auto cosine_of = [&](Eigen::Index i) { return cosines > 1 ? 2.0 * double(i) / double(cosines - 1) - 1 : 0; };
-    for (Eigen::Index i = 0; i < cosines; ++i) polynomials.col(i) = legendre(cosine_of(i), terms);
-    Rows layer = (moments * polynomials).cwiseMax(least_share).array().log();
-    settle(layer, depth_of);
-    Rows across = layer.transpose();
-    settle(across, cosine_of);
-    return across.transpose();
+    std::vector<double> depths;
+    for (int i = 0; i < RETURNED_DEPTHS; ++i)
+        depths.push_back(double(RETURNED_DEEPEST) * std::pow(double(i) / (RETURNED_DEPTHS - 1), 4) / (1 - g));
+    return returned_layer(returned, depths, cosines);
 }
 
 /// A table of one channel: of which medium, and from which similarity to which.
@@ -78,7 +47,7 @@ class Tables {
         const auto [entry, fresh] = begins.try_emplace(key, int(returned.size()) - first * layer_size);
         if (fresh) {
             returned.resize(returned.size() + std::size_t((last - first + 1) * layer_size));
-            const albedo::Ordinates ordinates = ordinates_of(g, bleed, law);
+            const albedo::Ordinates ordinates = returned_ordinates(g, bleed, law);
             parallel_for(std::size_t(last - first + 1), [&, first = first, g = g](std::size_t k) {
                 const int row = first + int(k);
                 const Rows layer = layer_of(ordinates, g, double(row) / (RETURNED_SIMILARITIES - 1), cosines);

@@ -5,8 +5,7 @@
 #include "device/kernel_info.h"
 #include "render/allocation.h"
 #include "render/layout.h"
-#include "render/light_sides.h"
-#include "render/thickness.h"
+#include "render/measure.h"
 #include "render/tracer.h"
 #include "scene/features.h"
 #include <algorithm>
@@ -105,8 +104,7 @@ struct Session::Impl {
         // Last: Oclgrind takes a buffer that comes in the place of a released one to be initialised no further than
         // that was.
         check_layout(device, program, recorder);
-        measure_light_sides(device, program, scene, recorder);
-        measure_thickness(device, program, scene, recorder);
+        if (measure(device, program, source, scene, recorder)) tracer->bind(scene);
         statistics.startup = scene.startup;
         statistics.startup.compile = program.seconds;
         statistics.profiled = options.profile;

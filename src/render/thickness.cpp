@@ -4,10 +4,9 @@ namespace nacre::render {
 
 using namespace shared;
 
-void measure_thickness(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-                       device::Recorder &recorder) {
-    if (scene.measured.empty()) return;
-    const DeviceScene::Entry &out = scene.thickness();
+std::vector<float> measure_thickness(const device::Device &device, const device::Program &program,
+                                     const DeviceScene &scene, device::Recorder &recorder) {
+    const DeviceScene::Entry &out = scene.entry("thickness");
     std::vector<float> thickness(out.bytes / sizeof(float), GUIDE_THICK);
     const cl::Buffer found(device.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, out.bytes, thickness.data());
     cl::Kernel kernel(program.program, "object_thickness");
@@ -22,6 +21,7 @@ void measure_thickness(const device::Device &device, const device::Program &prog
     }
     device.queue.enqueueReadBuffer(found, true, 0, out.bytes, thickness.data());
     device.queue.enqueueWriteBuffer(out.buffer, true, 0, out.bytes, thickness.data());
+    return thickness;
 }
 
 } // namespace nacre::render

@@ -5,9 +5,9 @@
 
 namespace nacre::render {
 
-/// Finds out with the kernels of `program` how thick the objects with guided walks are below each of their triangles,
-/// and tells the scene. Until then they are half-spaces.
-void measure_thickness(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-                       device::Recorder &recorder);
+/// Finds out with the kernels of `program` how thick the measured objects are below each of their triangles, and tells
+/// the scene. Until then they are half-spaces. Returns it by primitive, in the kernels' units.
+std::vector<float> measure_thickness(const device::Device &device, const device::Program &program,
+                                     const DeviceScene &scene, device::Recorder &recorder);
 
 } // namespace nacre::render

@@ -44,12 +44,11 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
     for (cl::Buffer &buffer : paths) buffer = make(device, path_bytes);
     list = make(device, list_bytes);
     clear_film(film_bytes);
-    scene_arguments = scene.bind(trace_kernel);
+    scene_arguments = bind(scene);
     trace_kernel.setArg(scene_arguments + 1, radiance);
     trace_kernel.setArg(scene_arguments + 2, layers);
     trace_kernel.setArg(scene_arguments + 5, counters);
     trace_kernel.setArg(scene_arguments + 6, pool);
-    scene.bind(accumulate_kernel);
     accumulate_kernel.setArg(scene_arguments + 1, radiance);
     accumulate_kernel.setArg(scene_arguments + 2, layers);
     accumulate_kernel.setArg(scene_arguments + 3, film);
@@ -58,6 +57,11 @@ Tracer::Tracer(const device::Device &device, const device::Program &program, con
         trace_kernel.setArg(scene_arguments + 7, list);
         accumulate_kernel.setArg(scene_arguments + 5, list);
     }
+}
+
+cl_uint Tracer::bind(const DeviceScene &scene) {
+    scene.bind(accumulate_kernel);
+    return scene.bind(trace_kernel);
 }
 
 void Tracer::list_tiles(const std::vector<uint> &tiles) {

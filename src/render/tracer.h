@@ -17,6 +17,9 @@ class Tracer {
            const DeviceScene &scene, const Layers &layers, std::uint32_t film_pixels, std::uint32_t capacity,
            device::Recorder &recorder);
 
+    /// To be called where the scene's buffers have changed. Returns the number of its arguments.
+    cl_uint bind(const DeviceScene &scene);
+
     /// What batches and the film count the pixels of from here on: shared/path.h. Only of a program with lists.
     void list_tiles(const std::vector<shared::uint> &tiles);
 

@@ -9,6 +9,8 @@
 #include "render/inversion.h"
 #include "render/light_sides.h"
 #include "render/returned.h"
+#include "shared/returned.h"
+#include <algorithm>
 #include <optional>
 #include <xxhash.h>
 
@@ -95,6 +97,10 @@ cl_uint DeviceScene::bind(cl::Kernel &kernel) const {
     return index;
 }
 
+const DeviceScene::Entry &DeviceScene::entry(std::string_view name) const {
+    return *std::find_if(buffers.begin(), buffers.end(), [&](const Entry &entry) { return entry.name == name; });
+}
+
 DeviceScene upload(const device::Device &device, const scene::Scene &scene, std::uint32_t features, const Crop &crop,
                    Timeline *timeline) {
     DeviceScene out;
@@ -129,7 +135,9 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.seed = scene.render.seed;
     const bool controlled = choose_control(scene, units, features, geometry);
     if (controlled) features |= FEATURE_CONTROL;
-    frame.lone_rays = controlled ? 1 : 0;               // until light_sides sees that nothing in sight has one
+    if (std::any_of(geometry.objects.begin(), geometry.objects.end(), [](const Object &object) { return object.plate; }))
+        features |= FEATURE_SLABS;
+    frame.lone_rays = controlled ? 1 : 0;               // until measure sees that nothing in sight has one
     const bool guided = choose_guided(scene, geometry); // by what choose_control has found
     if (!guided) features &= ~std::uint32_t(FEATURE_GUIDE_EIGEN | FEATURE_GUIDE_DWIVEDI);
     frame.features = features | (geometry.clearance.empty() ? 0u : std::uint32_t(FEATURE_CLEARANCE));
@@ -175,13 +183,17 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     uploader.add("guide", modes);
     uploader.add("similarities", similarities);
     uploader.add("returned", returned);
-    constexpr LightSides alike{{1, 1, 1, 0}, {1, 1, 1, 0}};
     const bool measured = guided || controlled;
-    uploader.add("light_sides", std::vector<LightSides>(measured ? scene.objects.size() : 0, alike));
+    uploader.add("light_sides", std::vector<LightSides>(measured ? scene.objects.size() : 0, all_alike));
     uploader.add("thickness", std::vector<float>(measured ? geometry.world.size() : 0, GUIDE_THICK));
     if (measured) out.light_points = light_points(scene, geometry);
     for (std::size_t i = 0; i < geometry.objects.size(); ++i)
-        if (is_measured(geometry.objects[i])) out.measured.push_back({uint(i), geometry.walk_blocks[i]});
+        if (is_measured(geometry.objects[i]))
+            out.measured.push_back({uint(i), geometry.walk_blocks[i], geometry.objects[i].first_primitive,
+                                    geometry.objects[i].plate != 0});
+    uploader.add("slabs", std::vector<Slab>()); // measure finds out whether there are some
+    uploader.add("transmitted", std::vector<float>());
+    out.materials = std::move(materials);
     out.hash = fmt::format("{:016x}", uploader.hash);
     uploading.reset();
     return out;

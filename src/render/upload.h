@@ -33,16 +33,18 @@ struct DeviceScene {
     std::uint32_t bvh_stack = 0;
     Startup startup;                          // what of it was spent here
     std::vector<shared::float4> light_points; // for measure_light_sides: positions and normals in turns
-    /// For measure_thickness.
+    /// Objects whose walks ask how thick they are and where their light comes from.
     struct Measured {
         shared::uint object;
         Blocks blocks;
+        shared::uint first_primitive;
+        bool plate; // Object::plate
     };
     std::vector<Measured> measured;
+    std::vector<shared::Material> materials; // as they were uploaded
 
-    /// What is measured on the device.
-    const Entry &sides() const { return buffers[buffers.size() - 2]; }
-    const Entry &thickness() const { return buffers.back(); }
+    const Entry &entry(std::string_view name) const;
+    Entry &entry(std::string_view name) { return const_cast<Entry &>(std::as_const(*this).entry(name)); }
 
     /// Sets the scene's arguments of a kernel; returns the index of the next one.
     cl_uint bind(cl::Kernel &kernel) const;

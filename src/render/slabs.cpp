@@ -1,0 +1,123 @@
+#include "render/slabs.h"
+#include "render/body.h"
+#include "render/light_sides.h"
+#include "render/returned_layer.h"
+#include <algorithm>
+#include <cmath>
+
+namespace nacre::render {
+namespace {
+
+using namespace shared;
+
+/// Slabs of an object. Where it is a slab one will do.
+constexpr std::size_t most_slabs = 8;
+
+/// A part of an object through which light may get: how thick, and how much it may show.
+struct Part {
+    double thickness, weight;
+};
+
+/// In order of their thickness. None of a body whose surface is mostly thicker than its volume says: of twigs, which are
+/// as thick everywhere, twice that, of plates no more than 1.5 times.
+std::vector<Part> parts_of(const scene::Mesh &mesh, const float *thickness, double longest, const LightSides &sides,
+                           double mean) {
+    constexpr double least = 0.1 / double(CONTROL_MOST_LIGHT), most = 1.6;
+    std::vector<Part> parts;
+    double all = 0, thin = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto &[a, b, c] = mesh.triangles[i];
+        const Vec3 across = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+        const double area = across.norm(), thick = double(thickness[i]), through = std::exp(-thick / longest);
+        all += area;
+        if (thick < most * mean) thin += area;
+        if (area > 0 && through * far_light(sides, across / area) > least) parts.push_back({thick, area * through});
+    }
+    if (thin < all / 2) return {};
+    std::sort(parts.begin(), parts.end(), [](const Part &a, const Part &b) { return a.thickness < b.thickness; });
+    return parts;
+}
+
+/// Of `parts` that are in order, about as much for each slab. No slab is thinner than its parts.
+std::vector<double> thicknesses(const std::vector<Part> &parts) {
+    double all = 0, sum = 0;
+    for (const Part &part : parts) all += part.weight;
+    std::vector<double> found;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        sum += parts[i].weight;
+        const bool last = i + 1 == parts.size();
+        if (!last && sum * double(most_slabs) < all * double(found.size() + 1)) continue;
+        constexpr double alike = 1.01;
+        if (found.empty() || parts[i].thickness > alike * found.back())
+            found.push_back(parts[i].thickness);
+        else
+            found.back() = parts[i].thickness;
+    }
+    return found;
+}
+
+/// Appends the tables of one channel of a slab, the same for both similarities about its own.
+int add_tables(const albedo::Returned &returned, double similarity, double thickness, Eigen::Index cosines,
+               std::vector<float> &tables) {
+    std::vector<double> depths;
+    for (int i = 0; i < RETURNED_SLAB_DEPTHS; ++i) {
+        const double x = double(i) / (RETURNED_SLAB_DEPTHS - 1);
+        depths.push_back(thickness * (x < 0.5 ? 2 * x * x : 1 - 2 * (1 - x) * (1 - x)));
+    }
+    constexpr double least_share = 1e-30;
+    Rows layer(RETURNED_SLAB_ROWS, cosines);
+    layer.topRows(RETURNED_SLAB_DEPTHS) = returned_layer(returned, depths, cosines);
+    layer.row(RETURNED_SLAB_DEPTHS).setConstant(std::log(std::max(least_share, returned.reflected())));
+    layer.row(RETURNED_SLAB_DEPTHS + 1).setConstant(std::log(std::max(least_share, returned.transmitted())));
+    const int node = std::min(int(similarity * (RETURNED_SIMILARITIES - 1)), RETURNED_SIMILARITIES - 2);
+    const int first = int(tables.size()) - node * int(layer.size());
+    for (int copy = 0; copy < 2; ++copy) tables.insert(tables.end(), layer.data(), layer.data() + layer.size());
+    return first;
+}
+
+/// `scale`: the kernels' unit of length in the scene's.
+Slab slab_of(const scene::Material &source, const float4 &albedos, double thickness, double scale, Eigen::Index cosines,
+             std::vector<float> &tables) {
+    constexpr double least_albedo = 1e-9;
+    const Vec3 radius = source[PARAMETER_subsurface_radius].value.cwiseProduct(
+        source[PARAMETER_subsurface_radius_scale].value);
+    Slab slab{float(thickness), 0, {}, {}};
+    double back = 0, through = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double g = source[PARAMETER_subsurface_scatter_anisotropy].value[c];
+        const double albedo = double((&albedos.x)[c]), paths = thickness * scale / radius[c];
+        const albedo::Returned returned(
+            returned_ordinates(g, source[PARAMETER_subsurface_bleed].value.x(), source.flight), g,
+            std::clamp(albedo, least_albedo, 1 - least_albedo), paths);
+        slab.first[c] = add_tables(returned, std::sqrt((1 - albedo) / (1 - albedo * g)), paths, cosines, tables);
+        back += returned.reflected();
+        through += returned.transmitted();
+    }
+    slab.through = float(through / back);
+    return slab;
+}
+
+} // namespace
+
+Slabs choose_slabs(const scene::Scene &scene, const DeviceScene &uploaded, const std::vector<float> &thickness,
+                   std::vector<LightSides> &sides) {
+    Slabs out;
+    const Eigen::Index cosines = uploaded.frame.features & FEATURE_ANISOTROPY ? RETURNED_COSINES : 1;
+    for (const DeviceScene::Measured &measured : uploaded.measured) {
+        if (!measured.plate) continue;
+        const scene::Object &object = scene.objects[measured.object];
+        const scene::Material &source = scene.materials[object.material];
+        LightSides &light = sides[measured.object];
+        light.first_slab = uint(out.slabs.size());
+        const double longest = diffusion_length(scene, source).maxCoeff() / uploaded.length;
+        const std::vector<Part> parts = parts_of(object.mesh, thickness.data() + measured.first_primitive, longest,
+                                                 light, render::thickness(object.mesh) / uploaded.length);
+        for (const double thick : thicknesses(parts))
+            out.slabs.push_back(slab_of(source, uploaded.materials[object.material].albedo, thick, uploaded.length,
+                                        cosines, out.transmitted));
+        light.slab_count = uint(out.slabs.size()) - light.first_slab;
+    }
+    return out;
+}
+
+} // namespace nacre::render
