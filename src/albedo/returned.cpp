@@ -6,8 +6,8 @@
 
 // The importance of flights outwards, u-, and inwards, u+, obeys the equations of the collision densities (modes.cpp)
 // inwards and outwards: v du-/dz + u- = (albedo / 2) sum w (p_same u- + p_opposite u+), where at the surface u- is one.
-// At a slab's other side, where the same modes begin with in- and outwards exchanged, u+ is none. A scatter of light with
-// cosine mu returns half the sum of w p(mu, mu') u over the states after it.
+// At a slab's other side, where the same modes begin with in- and outwards exchanged, u+ is none. A scatter of light
+// with cosine mu returns half the sum of w p(mu, mu') u over the states after it.
 namespace nacre::albedo {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;

@@ -7,8 +7,8 @@ namespace nacre::render {
 /// ball's radius.
 double thickness(const scene::Mesh &mesh);
 
-/// Whether a body is a plate or a shell, whose other side is about parallel where light gets through: by far the most of
-/// a plate's surface faces two opposite ways, shells are larger than 20 times their thickness.
+/// Whether a body is a plate or a shell, whose other side is about parallel where light gets through: by far the most
+/// of a plate's surface faces two opposite ways, shells are larger than 20 times their thickness.
 bool is_plate(const scene::Mesh &mesh);
 
 /// Whether a body's surface is nearly flat to its walks: it is larger than 500 lengths of light_path, or a plate.

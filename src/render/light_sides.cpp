@@ -21,8 +21,8 @@ double seen(const Camera &camera, const float4 &point, const float4 &normal) {
     return std::max(0., vector(normal).dot(towards.normalized()));
 }
 
-/// Whether the camera sees enough of the light on an object: a quarter of what it sees has .3 times as much as all of it
-/// has in the mean. Bear and head have .5 to .8 of that, balls before a lamp none, the bear with one behind it .05.
+/// Whether the camera sees enough of the light on an object: a quarter of what it sees has .3 times as much as all of
+/// it has in the mean. Bear and head have .5 to .8 of that, balls before a lamp none, the bear with one behind it .05.
 /// There twins are no use, and take a third of the time (1.4 times as long with them, at the same noise).
 struct InSight {
     double light = 0, count = 0, seen = 0, lit = 0;
@@ -77,8 +77,8 @@ std::vector<float4> light_points(const scene::Scene &scene, const Geometry &geom
     return points;
 }
 
-std::vector<LightSides> measure_light(const device::Device &device, const device::Program &program, const DeviceScene &scene,
-                            device::Recorder &recorder) {
+std::vector<LightSides> measure_light(const device::Device &device, const device::Program &program,
+                                      const DeviceScene &scene, device::Recorder &recorder) {
     const std::uint32_t count = std::uint32_t(scene.light_points.size() / 2);
     cl::Kernel kernel(program.program, "light_points");
     const cl::Buffer points(device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, 2 * count * sizeof(float4),

@@ -23,7 +23,8 @@ constexpr shared::LightSides all_alike{{1, 1, 1, 0}, {1, 1, 1, 0}, 0, 0, 1, 0};
 /// Light on the other side over that on the side of a surface with this normal (guide/load.h, guide_far_light).
 double far_light(const shared::LightSides &sides, const Vec3 &normal);
 
-/// Measures the light on the scene's light_points, of which there are some, with the kernel of `program`. Of each object.
+/// Measures the light on the scene's light_points, of which there are some, with the kernel of `program`. Of each
+/// object.
 std::vector<shared::LightSides> measure_light(const device::Device &device, const device::Program &program,
                                               const DeviceScene &scene, device::Recorder &recorder);
 

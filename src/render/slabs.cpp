@@ -18,8 +18,8 @@ struct Part {
     double thickness, weight;
 };
 
-/// In order of their thickness. None of a body whose surface is mostly thicker than its volume says: of twigs, which are
-/// as thick everywhere, twice that, of plates no more than 1.5 times.
+/// In order of their thickness. None of a body whose surface is mostly thicker than its volume says: of twigs, which
+/// are as thick everywhere, twice that, of plates no more than 1.5 times.
 std::vector<Part> parts_of(const scene::Mesh &mesh, const float *thickness, double longest, const LightSides &sides,
                            double mean) {
     constexpr double least = 0.1 / double(CONTROL_MOST_LIGHT), most = 1.6;
@@ -79,8 +79,8 @@ int add_tables(const albedo::Returned &returned, double similarity, double thick
 Slab slab_of(const scene::Material &source, const float4 &albedos, double thickness, double scale, Eigen::Index cosines,
              std::vector<float> &tables) {
     constexpr double least_albedo = 1e-9;
-    const Vec3 radius = source[PARAMETER_subsurface_radius].value.cwiseProduct(
-        source[PARAMETER_subsurface_radius_scale].value);
+    const Vec3 radius =
+        source[PARAMETER_subsurface_radius].value.cwiseProduct(source[PARAMETER_subsurface_radius_scale].value);
     Slab slab{float(thickness), 0, {}, {}};
     double back = 0, through = 0;
     for (int c = 0; c < 3; ++c) {

@@ -12,8 +12,8 @@ struct Slabs {
 };
 
 /// Chooses slabs for the plates of `scene` that have control variates of both their sides, by how thick they are where
-/// something gets through; tells `sides`, the light on the objects, which are theirs. `thickness`: below each primitive,
-/// in the kernels' units.
+/// something gets through; tells `sides`, the light on the objects, which are theirs. `thickness`: below each
+/// primitive, in the kernels' units.
 Slabs choose_slabs(const scene::Scene &scene, const DeviceScene &uploaded, const std::vector<float> &thickness,
                    std::vector<shared::LightSides> &sides);
 

@@ -135,7 +135,8 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     frame.seed = scene.render.seed;
     const bool controlled = choose_control(scene, units, features, geometry);
     if (controlled) features |= FEATURE_CONTROL;
-    if (std::any_of(geometry.objects.begin(), geometry.objects.end(), [](const Object &object) { return object.plate; }))
+    if (std::any_of(geometry.objects.begin(), geometry.objects.end(),
+                    [](const Object &object) { return object.plate; }))
         features |= FEATURE_SLABS;
     frame.lone_rays = controlled ? 1 : 0;               // until measure sees that nothing in sight has one
     const bool guided = choose_guided(scene, geometry); // by what choose_control has found

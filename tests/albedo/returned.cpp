@@ -52,8 +52,10 @@ TEST(Returned, FallsLikeTheSlowestMode) {
         }
 }
 
-/// Weight that a walk from a scatter brings out. Henyey-Greenstein by its inverse.
-double walk(std::mt19937_64 &random, double albedo, double g, double bleed, FlightLaw law, double depth, double mu) {
+/// Weight that a walk from a scatter brings out, of a slab through the side that depths count from. Henyey-Greenstein
+/// by its inverse.
+double walk(std::mt19937_64 &random, double albedo, double g, double bleed, FlightLaw law, double depth, double mu,
+            double thickness = std::numeric_limits<double>::infinity()) {
     std::uniform_real_distribution<> unit(0, 1);
     constexpr double least = .1;
     const double rate = law == FLIGHT_RECIPROCAL ? 1 + bleed : 1;
@@ -65,6 +67,7 @@ double walk(std::mt19937_64 &random, double albedo, double g, double bleed, Flig
         mu = cosine * mu + across * std::cos(2 * std::numbers::pi * unit(random));
         depth -= mu * flight(bleed, std::pow(1 - unit(random), 1 / rate));
         if (depth < 0) return weight;
+        if (depth > thickness) return 0;
         weight *= albedo;
         if (weight >= least) continue;
         if (unit(random) * least > weight) return 0;
@@ -94,6 +97,47 @@ TEST(Returned, WhatWalksBringOut) {
                             << ", depth " << depth << ", cosine " << cosine;
                     }
             }
+}
+
+// The same of slabs.
+TEST(Returned, WhatWalksBringOutOfSlabs) {
+    std::mt19937_64 random(1);
+    for (const double g : {0., .8})
+        for (const double bleed : {0., .5})
+            for (const auto &[albedo, thickness] : {std::pair{.6, .5}, {.98, 4.}}) {
+                const Ordinates ordinates(g, bleed, FLIGHT_RENEWAL, bleed > 0 ? 8 : 12, 1e-6);
+                const Returned returned(ordinates, g, albedo, thickness);
+                for (const double part : {.1, .5, .9})
+                    for (const double cosine : {-.8, .6}) {
+                        constexpr int walks = 100000;
+                        double sum = 0, squares = 0;
+                        for (int i = 0; i < walks; ++i) {
+                            const double w =
+                                walk(random, albedo, g, bleed, FLIGHT_RENEWAL, part * thickness, cosine, thickness);
+                            sum += w;
+                            squares += w * w;
+                        }
+                        const double mean = sum / walks, error = std::sqrt((squares / walks - mean * mean) / walks);
+                        EXPECT_NEAR(share(returned, part * thickness, cosine), mean, 4 * error)
+                            << "g " << g << ", bleed " << bleed << ", albedo " << albedo << ", part " << part
+                            << ", cosine " << cosine;
+                    }
+            }
+}
+
+// Black slabs let through 2 E_3, white ones all that they do not reflect, thick ones reflect what half-spaces do.
+TEST(Returned, SlabsReflectAndTransmit) {
+    for (const auto &[thickness, wanted] : {std::pair{.1, .8325829}, {1., .2193839}, {4., .0055227}}) // 2 E_3
+        EXPECT_NEAR(Returned(Ordinates(0, 0, FLIGHT_RENEWAL, 24, 1), 0, 1e-9, thickness).transmitted(), wanted, 1e-5);
+    for (const double g : {0., .8}) {
+        const Ordinates ordinates(g, 0, FLIGHT_RENEWAL, 24, 1);
+        for (const double thickness : {.1, 3., 50.}) {
+            const Returned white(ordinates, g, 1 - 1e-9, thickness);
+            EXPECT_NEAR(white.reflected() + white.transmitted(), 1, 1e-5);
+        }
+        EXPECT_NEAR(Returned(ordinates, g, .9, 300).reflected(), reflectance(.9, g, 0, FLIGHT_RENEWAL).lambert, 1e-6);
+        EXPECT_NEAR(Returned(ordinates, g, .9).reflected(), reflectance(.9, g, 0, FLIGHT_RENEWAL).lambert, 1e-6);
+    }
 }
 
 } // namespace

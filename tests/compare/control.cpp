@@ -64,6 +64,24 @@ TEST(Control, ClassicalWalks) {
     scene.render.guiding = shared::GUIDING_NONE;
     expect_same(scene, 2);
 }
+// A plate of four of red's mean free paths before a lamp, and before it another one: walks leave through either side
+// and through the edges, where their twins go on.
+TEST(Control, Plates) {
+    for (const char *medium : {"", R"(, "subsurface_scatter_anisotropy": 0.8)",
+                               R"(, "subsurface_scatter_anisotropy": [0.5, 0, -0.5], "subsurface_bleed": 0.6)"})
+        for (const double front : {0., 4.}) {
+            SCOPED_TRACE(testing::Message() << medium << ", light in front " << front);
+            const scene::Scene scene = scene_of(fmt::format(R"({{"image": {{"width": 32, "height": 32}},
+                "camera": {{"position": [0, 0, 6], "target": [0, 0, 0], "fov": 30}},
+                "materials": {{"m": {{"subsurface_weight": 1, "subsurface_color": [0.9, 0.7, 0.6], "specular_weight": 0,
+                    "subsurface_radius": 0.25, "subsurface_radius_scale": [1, 0.6, 0.5]{}}}}},
+                "objects": [{{"box": {{"min": [-2, -2, -1], "max": [2, 2, 0]}}, "material": "m"}}],
+                "lights": [{{"type": "rect", "center": [0, 0, -6], "u": [5, 0, 0], "v": [0, 5, 0], "radiance": 10}},
+                    {{"type": "rect", "center": [0, 5, 6], "u": [2, 0, 0], "v": [0, -1, 2], "radiance": {}}}]}})",
+                                                            medium, front));
+            expect_same(scene, 2, 1024);
+        }
+}
 // Each channel by itself, and one channel drawn for every flight.
 TEST(Control, ChannelSamplings) {
     for (const shared::ChannelSampling sampling : {shared::CHANNEL_SINGLE, shared::CHANNEL_THROUGHPUT}) {
@@ -87,7 +105,7 @@ TEST_P(ControlOf, SamePicture) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ControlOf,
                          testing::Values("skin", "texture", "environment_image", "point", "emissive_mesh",
-                                         "nested_shells", "open_mesh", "normal_map", "reciprocal"),
+                                         "nested_shells", "open_mesh", "normal_map", "reciprocal", "plate"),
                          [](const auto &info) { return std::string(info.param); });
 
 } // namespace

@@ -46,9 +46,9 @@ TEST(Program, CompilesWithoutAWord) {
     device::Device device = device::open_device();
     device.quirks.binary_cache = false;
     const std::uint32_t all = FEATURE_ALL, walks = FEATURE_SUBSURFACE | FEATURE_ENVIRONMENT;
-    for (const std::uint32_t features :
-         std::initializer_list<std::uint32_t>{all, all & ~std::uint32_t(FEATURE_CONTROL), walks,
-                                              walks | FEATURE_CONTROL, FEATURE_DIFFUSE | FEATURE_RECT}) {
+    for (const std::uint32_t features : std::initializer_list<std::uint32_t>{
+             all, all & ~std::uint32_t(FEATURE_CONTROL), walks, walks | FEATURE_CONTROL,
+             walks | FEATURE_CONTROL | FEATURE_SLABS, FEATURE_DIFFUSE | FEATURE_RECT}) {
         device::Variant variant;
         variant.features = features;
         variant.lanes = device.quirks.lanes;

@@ -1,10 +1,13 @@
 // A walk's twin in a half-space (kernels/walk/twin.h), where its value is known, and however it is brought to the
 // machine.
+#include "albedo/inversion.h"
+#include "albedo/returned.h"
 #include "image/rendered.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace nacre {
 namespace {
@@ -86,13 +89,84 @@ TEST(Control, OnlyWhereItPays) {
     EXPECT_TRUE(controlled(dark, even, .1));
     EXPECT_FALSE(controlled(dark, even, .2));
 
-    scene::Scene slab = face(1);
     EXPECT_TRUE(controlled({.8, .5, .4}, uneven, .5));
-    slab.objects[0].mesh = scene::make_box({-20, -20, -1}, {20, 20, 0}); // .17 diffusion lengths, as that
-    EXPECT_EQ(std::ranges::count(rendered(slab).statistics.features, "control"), 0);
 }
 
-// A box before a lamp, whose edges show whether samples have camera rays of their own.
+// Plates and shells have one of both sides, however thin; balls, cubes and twigs are none, nor what is not of one
+// medium.
+TEST(Control, OfBothSidesOfPlates) {
+    const auto slabs = [](const scene::Scene &scene) {
+        return std::ranges::count(rendered(scene).statistics.features, "slabs") == 1;
+    };
+    scene::Scene scene = face(.1);
+    const auto set_box = [&](const Vec3 &size) { scene.objects[0].mesh = scene::make_box(-size, Vec3(0, 0, 0)); };
+    set_box({4, 4, 1});
+    EXPECT_TRUE(slabs(scene));
+    EXPECT_EQ(std::ranges::count(rendered(scene).statistics.features, "guide_eigen"), 1);
+    set_box({4, .1, 4});
+    EXPECT_TRUE(slabs(scene));
+    scene.materials[0][shared::PARAMETER_subsurface_radius].value.setConstant(10);
+    EXPECT_TRUE(slabs(scene));
+    set_box({2, 2, 1});
+    EXPECT_FALSE(slabs(scene));
+    set_box({10, 2, 1});
+    EXPECT_FALSE(slabs(scene));
+    scene.objects[0].mesh = scene::make_sphere({0, 0, 0}, 1, 32);
+    EXPECT_FALSE(slabs(scene));
+}
+
+/// What every sample of a plate shows, in a white sky or before a lamp.
+void expect_share(double thickness, double g, double bleed, bool lamp) {
+    SCOPED_TRACE(testing::Message() << thickness << ", g " << g << ", bleed " << bleed << (lamp ? ", lamp" : ""));
+    scene::Scene scene = face(.01);
+    scene::Material &m = scene.materials[0];
+    m[shared::PARAMETER_subsurface_scatter_anisotropy].value.setConstant(g);
+    m[shared::PARAMETER_subsurface_bleed].value.setConstant(bleed);
+    scene.objects[0].mesh = scene::make_box({-1, -1, -thickness}, {1, 1, 0});
+    if (lamp) {
+        scene.lights[0].kind = shared::LIGHT_DIRECTIONAL;
+        scene.lights[0].direction = {0, 0, 1};
+        scene.lights[0].radiance.setConstant(std::numbers::pi); // a white surface shows radiance 1
+    }
+    const Rendered found = rendered(scene);
+    const double scale[] = {1, .35, .2}, color[] = {.8, .5, .4};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double albedo = albedo::albedo(shared::INVERSION_TABLE, color[c], {.anisotropy = g, .bleed = bleed});
+        const albedo::Ordinates ordinates(g, bleed, shared::FLIGHT_RENEWAL, bleed > 0 ? 8 : 24, 1e-6);
+        const albedo::Returned slab(ordinates, g, albedo, thickness / (.01 * scale[c]));
+        const double wanted = slab.transmitted() + (lamp ? 0 : slab.reflected());
+        // Where a flight is found to end: EverySampleOfAHalfSpaceIsItsColor.
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 32; ++x)
+                ASSERT_NEAR(double(found.at(x, y, c)), wanted, wanted * 2e-3 + 1e-6) << x << ", " << y << ", " << c;
+    }
+}
+
+TEST(Control, EverySampleOfAPlateIsWhatGetsThroughAndComesBack) {
+    for (const double thickness : {.003, .02, .08})
+        for (const bool lamp : {false, true}) {
+            if (thickness > .05 && !lamp) continue; // next to nothing gets through: a half-space
+            expect_share(thickness, 0, 0, lamp);
+            expect_share(thickness, .6, 0, lamp);
+            expect_share(thickness, .3, .5, lamp);
+        }
+}
+
+// A ball before a lamp, of which the camera sees the other side: as without one, to the bit.
+TEST(Control, NoneWhereTheCameraSeesNoLight) {
+    scene::Scene scene = scene_of(R"({"image": {"width": 24, "height": 24}, "render": {"spp": 4},
+        "camera": {"position": [0, 0, 5], "target": [0, 0, 0], "fov": 30},
+        "materials": {"m": {"subsurface_weight": 1, "subsurface_color": [0.8, 0.5, 0.4], "subsurface_radius": 0.2}},
+        "objects": [{"sphere": {"segments": 64}, "material": "m"}],
+        "lights": [{"type": "environment", "radiance": 0.02},
+                   {"type": "rect", "center": [0, 0, -6], "u": [5, 0, 0], "v": [0, 5, 0], "radiance": 10}]})");
+    const Rendered with = rendered(scene);
+    EXPECT_EQ(std::ranges::count(with.statistics.features, "control"), 1);
+    scene.render.control = false;
+    expect_same_pixels(with.picture, rendered(scene).picture);
+}
+
+// A cube before a lamp, whose edges show whether samples have camera rays of their own.
 TEST(Control, CameraRaysAreSharedWhereNothingInSightHasOne) {
     const auto shares = [](double lamp) {
         const scene::Scene scene =
@@ -100,7 +174,7 @@ TEST(Control, CameraRaysAreSharedWhereNothingInSightHasOne) {
             "camera": {{"position": [0, 0, 5], "target": [0, 0, 0], "fov": 30}},
             "materials": {{"m": {{"subsurface_weight": 1, "subsurface_color": [0.8, 0.5, 0.4], "subsurface_radius": 0.02,
                 "specular_weight": 0}}}},
-            "objects": [{{"box": {{"min": [-0.9, -0.9, -0.3], "max": [0.9, 0.9, 0]}}, "material": "m"}}],
+            "objects": [{{"box": {{"min": [-0.9, -0.9, -1.8], "max": [0.9, 0.9, 0]}}, "material": "m"}}],
             "lights": [{{"type": "directional", "direction": [0, 0, {}]}}]}})",
                                  lamp));
         const Rendered found = rendered(scene);

@@ -44,7 +44,7 @@ TEST_P(Lanes, SameImageWithoutClearance) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Lanes,
                          testing::Values("skin", "bleed", "reciprocal", "channel_single", "channel_albedo",
                                          "channel_throughput", "nested_shells", "open_mesh", "texture", "depth_cap",
-                                         "emissive_mesh", "internal_reflection", "subsurface_models"),
+                                         "emissive_mesh", "internal_reflection", "subsurface_models", "plate"),
                          [](const auto &info) { return std::string(info.param); });
 
 } // namespace

@@ -17,6 +17,7 @@ std::vector<SmallScene> small_scenes() {
         {"nested_shells"},
         // Walks with a control variate, which pictures of scattering orders have none of.
         {.name = "subsurface", .set = {{"materials.thing.subsurface_radius", "0.05"}}, .layers = "albedo"},
+        {.name = "plate", .layers = "albedo"},
         {"dipole"},
         {"texture"},
         {"normal_map"},
