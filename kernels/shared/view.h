@@ -41,7 +41,7 @@ typedef struct {
     global const float *returned;       // of the materials: shared/returned.h
     global const LightSides *sides;     // of the objects
     global const float *thickness;      // below each primitive
-    global const Slab *slabs;           // of the objects that are lit from behind
+    global const Slab *slabs;           // of the objects that are plates
     global const float *transmitted;    // of the slabs: shared/returned.h
 } Scene;
 

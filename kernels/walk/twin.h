@@ -2,9 +2,9 @@
 // walk has a twin, which makes the same flights in the half-space below the plane of the entry, where no mesh is. With the direct
 // light L about both points, whose numbers are not the walk's,
 //     W L(exit) + (R - C) L(entry)
-// has the mean of W L(exit): W and C are the weights with which walk and twin leave (0: roulette), R is the mean of C. A twin
-// whose walk leaves before it does scatters at the end of that flight, and of what it brings back from there C takes the mean,
-// which is known, too (walk/returned.h). Where the
+// has the mean of W L(exit): W and C are the weights with which walk and twin leave (0: roulette), R is the mean of C. Of a plate
+// the twin is in a slab, and has a weight, its mean and light for either side. One whose walk leaves before it does scatters at the
+// end of that flight, and of what it brings back from there C takes the mean, which is known, too (walk/returned.h). Where the
 // surface is flat to the walk W and C are one, L takes the same numbers at both points, and what is left is the noise of a surface
 // that scatters light where it arrives. (Control variates: Hammersley & Handscomb 1964, Monte Carlo Methods, 5.5.) The light that
 // exits see of other surfaces has no part in it.

@@ -6,9 +6,9 @@
 namespace nacre::render {
 
 /// Measures with the kernels of `program` how thick objects are and which of their sides are lit, and tells the scene;
-/// until then walks take objects for half-spaces with the same light everywhere. What is lit from behind gets slabs for
-/// its twins. Where the camera sees no light on anything else, so that no walk has a use for its control variate,
-/// samples share camera rays as without one. Returns whether the scene has other buffers than before.
+/// until then walks take objects for half-spaces with the same light everywhere. Plates get slabs for their twins.
+/// Where the camera sees no light on anything else, so that no walk has a use for its control variate, samples share
+/// camera rays as without one. Returns whether the scene has other buffers than before.
 bool measure(const device::Device &device, const device::Program &program, const scene::Scene &source,
              DeviceScene &scene, device::Recorder &recorder);
 
