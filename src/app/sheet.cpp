@@ -132,7 +132,7 @@ Run add_sheet(CLI::App &program) {
         "Samples are spread more evenly than chance would, so pictures are somewhat better than that.\n\n"
         "Examples:\n"
         "  nacre sheet scenes/figures/figure5.json -o figure5.png\n"
-        "  nacre sheet scenes/figures/*.json -o .\n"
+        "  nacre sheet scenes/figures/figure*.json -o .\n"
         "  nacre sheet scenes/figures/figure4.json -o figure4.png --size 512x512 --spp 64");
     return [options] { return render_sheets(*options); };
 }
