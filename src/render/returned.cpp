@@ -12,6 +12,7 @@ namespace nacre::render {
 namespace {
 
 using namespace shared;
+
 /// The logarithms for one similarity, depths x cosines.
 Rows layer_of(const albedo::Ordinates &ordinates, double g, double similarity, Eigen::Index cosines) {
     if (similarity <= 0) return Rows::Zero(RETURNED_DEPTHS, cosines); // white

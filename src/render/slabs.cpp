@@ -79,13 +79,14 @@ int add_tables(const albedo::Returned &returned, double similarity, double thick
 Slab slab_of(const scene::Material &source, const float4 &albedos, double thickness, double scale, Eigen::Index cosines,
              std::vector<float> &tables) {
     constexpr double least_albedo = 1e-9;
+    constexpr double least_free_path = 1e-7; // in the kernels' units: medium_at (kernels/walk/medium.h)
     const Vec3 radius =
         source[PARAMETER_subsurface_radius].value.cwiseProduct(source[PARAMETER_subsurface_radius_scale].value);
     Slab slab{float(thickness), 0, {}, {}};
     double back = 0, through = 0;
     for (int c = 0; c < 3; ++c) {
         const double g = source[PARAMETER_subsurface_scatter_anisotropy].value[c];
-        const double albedo = double((&albedos.x)[c]), paths = thickness * scale / radius[c];
+        const double albedo = double((&albedos.x)[c]), paths = thickness / std::max(radius[c] / scale, least_free_path);
         const albedo::Returned returned(
             returned_ordinates(g, source[PARAMETER_subsurface_bleed].value.x(), source.flight), g,
             std::clamp(albedo, least_albedo, 1 - least_albedo), paths);

@@ -92,8 +92,7 @@ TEST(Control, OnlyWhereItPays) {
     EXPECT_TRUE(controlled({.8, .5, .4}, uneven, .5));
 }
 
-// Plates and shells have one of both sides, however thin; balls, cubes and twigs are none, nor what is not of one
-// medium.
+// Plates have one of both sides, however thin; balls, cubes and beams are none.
 TEST(Control, OfBothSidesOfPlates) {
     const auto slabs = [](const scene::Scene &scene) {
         return std::ranges::count(rendered(scene).statistics.features, "slabs") == 1;
@@ -150,6 +149,18 @@ TEST(Control, EverySampleOfAPlateIsWhatGetsThroughAndComesBack) {
             expect_share(thickness, .6, 0, lamp);
             expect_share(thickness, .3, .5, lamp);
         }
+}
+
+// A channel without depth, and one that does not get through, are numbers all the same.
+TEST(Control, PlatesOfExtremeMedia) {
+    for (const Vec3 &scale : {Vec3(1, 0, 1e-6), Vec3(1e-3, 1e3, 1e9)}) {
+        scene::Scene scene = face(.05);
+        scene.materials[0][shared::PARAMETER_subsurface_radius_scale].value = scale;
+        scene.objects[0].mesh = scene::make_box({-1, -1, -.1}, {1, 1, 0});
+        const Rendered found = rendered(scene);
+        EXPECT_EQ(std::ranges::count(found.statistics.features, "slabs"), 1);
+        EXPECT_EQ(found.statistics[shared::COUNTER_non_finite], 0u);
+    }
 }
 
 // A ball before a lamp, of which the camera sees the other side: as without one, to the bit.
