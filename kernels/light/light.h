@@ -66,9 +66,9 @@ bool light_sample_flat(const Scene *scene, global const Light *light, float chan
 // Draws a light and a direction to it as seen from `receiver`. False: it does not light that point.
 bool light_sample(const Scene *scene, Sampler sampler, const Receiver *receiver, LightSample *sample) {
     const float3 position = receiver->position;
-    const float2 xi = draw_pair(sampler, DRAW_LIGHT_POINT);
     global const Light *light = scene->lights;
-    const float chance = light_choose(scene, sampler, receiver, &light);
+    float2 xi;
+    const float chance = light_choose(scene, sampler, receiver, &light, &xi);
     if (!(chance > 0.0f)) return false;
     if (HAS(ENVIRONMENT_IMAGE) && light->kind == LIGHT_ENVIRONMENT_IMAGE) {
         sample->distance = MAXFLOAT;

@@ -117,13 +117,16 @@ Vec2 place(const LightDraw &draw, const Vec3 &from, const Vec3 &corner, const Ve
     return {at.cross(v).dot(n) / n.squaredNorm(), u.cross(at).dot(n) / n.squaredNorm()};
 }
 
-/// Checks that draws are even over the parallelogram, and that 1 / density adds up to the solid angle.
+/// Checks that those of `draws` that lie in the parallelogram (if `alone`: all) are even over it, and that 1 / density
+/// adds up to its solid angle.
 void check_flat(const std::vector<LightDraw> &draws, const Vec3 &from, const Vec3 &corner, const Vec3 &u, const Vec3 &v,
-                const Vec3 &radiance, const char *what) {
+                const Vec3 &radiance, const char *what, bool alone = true) {
     std::vector<double> a, b;
     double sum = 0, squares = 0;
     for (const LightDraw &draw : draws) {
         ASSERT_GT(draw.density, 0);
+        const Vec3 off = from + draw.direction * draw.distance - corner;
+        if (!alone && std::abs(off.dot(u.cross(v).normalized())) > 1e-4) continue;
         const Vec2 at = place(draw, from, corner, u, v);
         a.push_back(at.x());
         b.push_back(at.y());
@@ -156,6 +159,24 @@ TEST(LightChoice, RectsAreEvenlyCovered) {
                rect.v, rect.radiance, "rect");
     for (const LightDraw &draw : draw_lights(scene, {0, 5, 0}, {0, -1, 0}, 64, 2))
         EXPECT_EQ(draw.distance, 0) << "from behind";
+}
+
+// The number that draws one of few lights draws the point as well. One is behind the other.
+TEST(LightChoice, EachOfTwoRectsIsEvenlyCovered) {
+    scene::Scene scene = scene_with_box();
+    const Vec3 from(0, 1.5, 0);
+    for (const double height : {1., 1.5}) {
+        scene::Light &rect = scene.lights.emplace_back();
+        rect.kind = LIGHT_RECT;
+        rect.position = from + Vec3(.2, height, 0);
+        rect.u = {1, 0, 0};
+        rect.v = {0, 0, 2};
+        rect.radiance = Vec3(3, 2, 1) * (height * height);
+    }
+    const std::vector<LightDraw> draws = draw_lights(scene, from, {0, 1, 0}, 5 * samples / 2, 5);
+    for (const scene::Light &rect : scene.lights)
+        check_flat(draws, from, rect.position - .5 * (rect.u + rect.v), rect.u, rect.v, rect.radiance, "one of two",
+                   false);
 }
 
 // A square of triangles of many sizes, too many to be weighed one by one: even only if they are drawn by their area.
