@@ -7,30 +7,42 @@
 #include "walk/returned.h"
 #include "walk/twin.h"
 
-// Which twin a walk that begins at `surface` is to have: in a slab where light gets through, else in a half-space, unless it is lit
-// from behind. Later walks of a path make less of a pixel's noise.
-uint control_twin(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface) {
-    if (path->hits > 1u) return TWIN_NONE;
-    global const LightSides *sides = scene->sides + surface->object;
-    const float thickness = scene->thickness[surface->primitive], far_light = guide_far_light(sides, surface->geometric);
-    for (uint i = sides->first_slab; HAS(SLABS) && i < sides->first_slab + sides->slab_count; i++) {
-        if (scene->slabs[i].thickness < thickness) continue;
-        if (scene->slabs[i].through * far_light * CONTROL_MOST_LIGHT < 1.0f) break;
-        return TWIN_SLAB + i;
-    }
-    if (sides->lit_in_sight == 0u || far_light > CONTROL_MOST_LIGHT) return TWIN_NONE;
-    return thickness > scene->objects[surface->object].control_thickness ? TWIN_INSIDE : TWIN_NONE;
-}
-
 bool twin_in_slab(const Scene *scene, uint twin) { return HAS(SLABS) && twin >= TWIN_SLAB; }
 
 global const Slab *control_slab(const Scene *scene, uint twin) { return scene->slabs + (twin - TWIN_SLAB); }
 
-// Whether it matters what a twin brings back through the side of the entry.
+// What a slab lets through of the far side's light over what it returns of the near side's.
+float control_through(const Scene *scene, const Surface *surface, uint twin) {
+    return control_slab(scene, twin)->through * guide_far_light(scene->sides + surface->object, surface->geometric);
+}
+
+// Whether it matters what a twin brings through the far side, and through that of the entry.
+bool control_sees_far(const Scene *scene, const Surface *surface, uint twin) {
+    return twin_in_slab(scene, twin) && control_through(scene, surface, twin) * CONTROL_MOST_LIGHT >= 1.0f;
+}
+
 bool control_sees_near(const Scene *scene, const Surface *surface, uint twin) {
-    if (!twin_in_slab(scene, twin)) return twin == TWIN_INSIDE;
-    const float far_light = guide_far_light(scene->sides + surface->object, surface->geometric);
-    return control_slab(scene, twin)->through * far_light < CONTROL_MOST_LIGHT;
+    return twin_in_slab(scene, twin) ? control_through(scene, surface, twin) < CONTROL_MOST_LIGHT : twin == TWIN_INSIDE;
+}
+
+// The thinnest slab of its object that is as thick as it is at `surface`, or TWIN_NONE.
+uint control_slab_at(const Scene *scene, const Surface *surface, float thickness) {
+    global const LightSides *sides = scene->sides + surface->object;
+    for (uint i = sides->first_slab; i < sides->first_slab + sides->slab_count; i++)
+        if (scene->slabs[i].thickness >= thickness) return TWIN_SLAB + i;
+    return TWIN_NONE;
+}
+
+// Which twin a walk that begins at `surface` is to have: in a slab where light gets through, else in a half-space, or in a slab
+// that is too thin for one, unless it is lit from behind. Later walks of a path make less of a pixel's noise.
+uint control_twin(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface) {
+    if (path->hits > 1u) return TWIN_NONE;
+    global const LightSides *sides = scene->sides + surface->object;
+    const float thickness = scene->thickness[surface->primitive];
+    const uint in_slab = HAS(SLABS) ? control_slab_at(scene, surface, thickness) : TWIN_NONE;
+    if (control_sees_far(scene, surface, in_slab)) return in_slab;
+    if (sides->lit_in_sight == 0u || guide_far_light(sides, surface->geometric) > CONTROL_MOST_LIGHT) return TWIN_NONE;
+    return thickness > scene->objects[surface->object].control_thickness ? TWIN_INSIDE : in_slab;
 }
 
 // The walk's twin begins. `shown`: what a half-space returns; `color`: the walk's first weights.
@@ -70,7 +82,7 @@ Shadow control_bounce(const Scene *scene, const PATH_SPACE Path *path, const Sur
 uint control_foresee(const Scene *scene, const PATH_SPACE Path *path, const Surface *surface, Shadow *shadows) {
     uint count = 0u;
     if (control_sees_near(scene, surface, path->twin)) shadows[count++] = control_bounce(scene, path, surface);
-    if (!twin_in_slab(scene, path->twin)) return count;
+    if (!control_sees_far(scene, surface, path->twin)) return count;
     // A little beyond the far side, so that what the walk leaves behind casts no shadow on it.
     Surface exit = *surface;
     exit.position -= (1.001f * control_slab(scene, path->twin)->thickness) * surface->geometric;

@@ -15,6 +15,14 @@ template <typename T> void fill(const device::Device &device, DeviceScene::Entry
     entry.buffer = device::constant_buffer(device, data.data(), entry.bytes);
 }
 
+/// Whether any walk may have a twin (kernels/path/control.h).
+bool any_twins(const std::vector<LightSides> &light, const std::vector<Slab> &slabs) {
+    constexpr float most_far_light = 1 / GUIDE_LEAST_LIGHT;
+    return std::ranges::any_of(light, [](const LightSides &l) { return l.lit_in_sight != 0; }) ||
+           std::ranges::any_of(slabs,
+                               [](const Slab &s) { return s.through * most_far_light * CONTROL_MOST_LIGHT >= 1; });
+}
+
 } // namespace
 
 bool measure(const device::Device &device, const device::Program &program, const scene::Scene &source,
@@ -26,17 +34,14 @@ bool measure(const device::Device &device, const device::Program &program, const
     const Slabs found = choose_slabs(source, scene, thickness, light);
     const DeviceScene::Entry &sides = scene.entry("light_sides");
     device.queue.enqueueWriteBuffer(sides.buffer, true, 0, sides.bytes, light.data());
-    if (!found.slabs.empty()) {
-        fill(device, scene.entry("slabs"), found.slabs);
-        fill(device, scene.entry("transmitted"), found.transmitted);
-        return true;
-    }
-    const bool lit = std::any_of(light.begin(), light.end(), [](const LightSides &l) { return l.lit_in_sight != 0; });
     const uint none = 0;
-    if (scene.frame.lone_rays != 0 && !lit)
+    if (scene.frame.lone_rays != 0 && !any_twins(light, found.slabs))
         device.queue.enqueueWriteBuffer(scene.entry("frame").buffer, true, offsetof(Frame, lone_rays), sizeof none,
                                         &none);
-    return false;
+    if (found.slabs.empty()) return false;
+    fill(device, scene.entry("slabs"), found.slabs);
+    fill(device, scene.entry("transmitted"), found.transmitted);
+    return true;
 }
 
 } // namespace nacre::render

@@ -2,6 +2,7 @@
 #include "render/body.h"
 #include "render/light_sides.h"
 #include "render/returned_layer.h"
+#include "scene/mean.h"
 #include <algorithm>
 #include <cmath>
 
@@ -13,25 +14,40 @@ using namespace shared;
 /// Slabs of an object. Where it is a slab one will do.
 constexpr std::size_t most_slabs = 8;
 
-/// A part of an object through which light may get: how thick, and how much it may show.
+/// Lengths are in the kernels' units.
+struct Plate {
+    const scene::Mesh &mesh;
+    const float *thickness; // below each triangle
+    double mean_thickness;
+    double longest;              // about the way on which light falls to 1 / e
+    double color;                // what a half-space of the medium returns, at most
+    double least_for_half_space; // thickness from which on twins may be in half-spaces
+};
+
+/// A part of a plate through which light may get, or that is too thin for a twin in a half-space: how thick, and how
+/// much it may show, about.
 struct Part {
     double thickness, weight;
 };
 
 /// In order of their thickness. None of a body whose surface is mostly thicker than its volume says: of twigs, which
 /// are as thick everywhere, twice that, of plates no more than 1.5 times.
-std::vector<Part> parts_of(const scene::Mesh &mesh, const float *thickness, double longest, const LightSides &sides,
-                           double mean) {
-    constexpr double least = 0.1 / double(CONTROL_MOST_LIGHT), most = 1.6;
+std::vector<Part> parts_of(const Plate &plate, const LightSides &sides) {
+    constexpr double most = 1.6;
+    const double least = 0.1 * plate.color / double(CONTROL_MOST_LIGHT);
+    const scene::Mesh &mesh = plate.mesh;
     std::vector<Part> parts;
     double all = 0, thin = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto &[a, b, c] = mesh.triangles[i];
         const Vec3 across = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
-        const double area = across.norm(), thick = double(thickness[i]), through = std::exp(-thick / longest);
+        const double area = across.norm(), thick = double(plate.thickness[i]);
+        const double through = std::exp(-thick / plate.longest);
         all += area;
-        if (thick < most * mean) thin += area;
-        if (area > 0 && through * far_light(sides, across / area) > least) parts.push_back({thick, area * through});
+        if (thick < most * plate.mean_thickness) thin += area;
+        if (!(area * through > 0)) continue;
+        if (thick < plate.least_for_half_space || through * far_light(sides, across / area) > least)
+            parts.push_back({thick, area * through});
     }
     if (thin < all / 2) return {};
     std::sort(parts.begin(), parts.end(), [](const Part &a, const Part &b) { return a.thickness < b.thickness; });
@@ -75,13 +91,17 @@ int add_tables(const albedo::Returned &returned, double similarity, double thick
     return first;
 }
 
+/// Per channel, in the scene's units. Of one medium everywhere.
+Vec3 free_path(const scene::Material &source) {
+    return source[PARAMETER_subsurface_radius].value.cwiseProduct(source[PARAMETER_subsurface_radius_scale].value);
+}
+
 /// `scale`: the kernels' unit of length in the scene's.
 Slab slab_of(const scene::Material &source, const float4 &albedos, double thickness, double scale, Eigen::Index cosines,
              std::vector<float> &tables) {
     constexpr double least_albedo = 1e-9;
     constexpr double least_free_path = 1e-7; // in the kernels' units: medium_at (kernels/walk/medium.h)
-    const Vec3 radius =
-        source[PARAMETER_subsurface_radius].value.cwiseProduct(source[PARAMETER_subsurface_radius_scale].value);
+    const Vec3 radius = free_path(source);
     Slab slab{float(thickness), 0, {}, {}};
     double back = 0, through = 0;
     for (int c = 0; c < 3; ++c) {
@@ -110,10 +130,15 @@ Slabs choose_slabs(const scene::Scene &scene, const DeviceScene &uploaded, const
         const scene::Material &source = scene.materials[object.material];
         LightSides &light = sides[measured.object];
         light.first_slab = uint(out.slabs.size());
-        const double longest = diffusion_length(scene, source).maxCoeff() / uploaded.length;
-        const std::vector<Part> parts = parts_of(object.mesh, thickness.data() + measured.first_primitive, longest,
-                                                 light, render::thickness(object.mesh) / uploaded.length);
-        for (const double thick : thicknesses(parts))
+        // In dark media what has not scattered yet goes farther than what diffuses.
+        const Vec3 ways = diffusion_length(scene, source).cwiseMax(free_path(source));
+        const Plate plate{.mesh = object.mesh,
+                          .thickness = thickness.data() + measured.first_primitive,
+                          .mean_thickness = render::thickness(object.mesh) / uploaded.length,
+                          .longest = ways.maxCoeff() / uploaded.length,
+                          .color = scene::mean_color(scene, source[PARAMETER_subsurface_color]).maxCoeff(),
+                          .least_for_half_space = double(measured.control_thickness)};
+        for (const double thick : thicknesses(parts_of(plate, light)))
             out.slabs.push_back(slab_of(source, uploaded.materials[object.material].albedo, thick, uploaded.length,
                                         cosines, out.transmitted));
         light.slab_count = uint(out.slabs.size()) - light.first_slab;

@@ -191,7 +191,7 @@ DeviceScene upload(const device::Device &device, const scene::Scene &scene, std:
     for (std::size_t i = 0; i < geometry.objects.size(); ++i)
         if (is_measured(geometry.objects[i]))
             out.measured.push_back({uint(i), geometry.walk_blocks[i], geometry.objects[i].first_primitive,
-                                    geometry.objects[i].plate != 0});
+                                    geometry.objects[i].plate != 0, geometry.objects[i].control_thickness});
     uploader.add("slabs", std::vector<Slab>()); // measure finds out whether there are some
     uploader.add("transmitted", std::vector<float>());
     out.materials = std::move(materials);

@@ -38,7 +38,8 @@ struct DeviceScene {
         shared::uint object;
         Blocks blocks;
         shared::uint first_primitive;
-        bool plate; // Object::plate
+        bool plate;              // Object::plate
+        float control_thickness; // likewise
     };
     std::vector<Measured> measured;
     std::vector<shared::Material> materials; // as they were uploaded

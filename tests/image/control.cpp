@@ -115,10 +115,11 @@ TEST(Control, OfBothSidesOfPlates) {
 }
 
 /// What every sample of a plate shows, in a white sky or before a lamp.
-void expect_share(double thickness, double g, double bleed, bool lamp) {
+void expect_share(double thickness, double g, double bleed, bool lamp, const Vec3 &color = {.8, .5, .4}) {
     SCOPED_TRACE(testing::Message() << thickness << ", g " << g << ", bleed " << bleed << (lamp ? ", lamp" : ""));
     scene::Scene scene = face(.01);
     scene::Material &m = scene.materials[0];
+    m[shared::PARAMETER_subsurface_color].value = color;
     m[shared::PARAMETER_subsurface_scatter_anisotropy].value.setConstant(g);
     m[shared::PARAMETER_subsurface_bleed].value.setConstant(bleed);
     scene.objects[0].mesh = scene::make_box({-1, -1, -thickness}, {1, 1, 0});
@@ -128,8 +129,8 @@ void expect_share(double thickness, double g, double bleed, bool lamp) {
         scene.lights[0].radiance.setConstant(std::numbers::pi); // a white surface shows radiance 1
     }
     const Rendered found = rendered(scene);
-    const double scale[] = {1, .35, .2}, color[] = {.8, .5, .4};
-    for (std::size_t c = 0; c < 3; ++c) {
+    const double scale[] = {1, .35, .2};
+    for (int c = 0; c < 3; ++c) {
         const double albedo = albedo::albedo(shared::INVERSION_TABLE, color[c], {.anisotropy = g, .bleed = bleed});
         const albedo::Ordinates ordinates(g, bleed, shared::FLIGHT_RENEWAL, bleed > 0 ? 8 : 24, 1e-6);
         const albedo::Returned slab(ordinates, g, albedo, thickness / (.01 * scale[c]));
@@ -149,6 +150,15 @@ TEST(Control, EverySampleOfAPlateIsWhatGetsThroughAndComesBack) {
             expect_share(thickness, .6, 0, lamp);
             expect_share(thickness, .3, .5, lamp);
         }
+}
+
+// They are too thin for twins in half-spaces, and next to nothing gets through them, of that which has not scattered
+// most.
+TEST(Control, EverySampleOfADarkPlateToo) {
+    for (const double g : {0., .8}) {
+        expect_share(.05, g, 0, true, Vec3::Constant(.02));
+        if (g > 0) expect_share(.05, g, 0, false, Vec3::Constant(.02));
+    }
 }
 
 // A channel without depth, and one that does not get through, are numbers all the same.
@@ -179,23 +189,25 @@ TEST(Control, NoneWhereTheCameraSeesNoLight) {
 
 // A cube before a lamp, whose edges show whether samples have camera rays of their own.
 TEST(Control, CameraRaysAreSharedWhereNothingInSightHasOne) {
-    const auto shares = [](double lamp) {
+    const auto shares = [](double lamp, double depth, double radius) {
         const scene::Scene scene =
             scene_of(fmt::format(R"({{"image": {{"width": 24, "height": 24}}, "render": {{"spp": 4}},
             "camera": {{"position": [0, 0, 5], "target": [0, 0, 0], "fov": 30}},
-            "materials": {{"m": {{"subsurface_weight": 1, "subsurface_color": [0.8, 0.5, 0.4], "subsurface_radius": 0.02,
+            "materials": {{"m": {{"subsurface_weight": 1, "subsurface_color": [0.8, 0.5, 0.4], "subsurface_radius": {},
                 "specular_weight": 0}}}},
-            "objects": [{{"box": {{"min": [-0.9, -0.9, -1.8], "max": [0.9, 0.9, 0]}}, "material": "m"}}],
+            "objects": [{{"box": {{"min": [-0.9, -0.9, {}], "max": [0.9, 0.9, 0]}}, "material": "m"}}],
             "lights": [{{"type": "directional", "direction": [0, 0, {}]}}]}})",
-                                 lamp));
+                                 radius, -depth, lamp));
         const Rendered found = rendered(scene);
         EXPECT_EQ(std::ranges::count(found.statistics.features, "control"), 1);
         render::Options options;
         options.definitions = "-DCAMERA_RAY_SAMPLES=1u";
         return found.picture.pixels != rendered(scene, options).picture.pixels;
     };
-    EXPECT_FALSE(shares(-1)); // the light goes along z: against the camera's side
-    EXPECT_TRUE(shares(1));
+    EXPECT_FALSE(shares(-1, 1.8, .02)); // the light goes along z: against the camera's side
+    EXPECT_TRUE(shares(1, 1.8, .02));
+    EXPECT_TRUE(shares(1, .3, .005)); // a plate, but one that lets next to nothing through
+    EXPECT_FALSE(shares(1, .3, .02));
 }
 
 // Walks with twins that go on for long, past the ends of launches: the same to the bit in any number of lanes, with and
