@@ -14,8 +14,8 @@ typedef enum {
     DRAW_DIRECTION,  // cosine-weighted direction, of the diffuse lobe or at the exit
     DRAW_ENTRY,      // direction into the medium
     DRAW_FIRST,      // channel and first flight of a walk
-    DRAW_LIGHT,       // few lights: which, and where on it; many: entry of the alias table, and whether to keep it
-    DRAW_LIGHT_POINT, // many lights: where on it
+    DRAW_LIGHT,      // few lights: which, and where on it; many: entry of the alias table, and whether to keep it
+    DRAW_LIGHT_POINT, // many lights: where on it; few: which of several draws
     DRAW_TEXEL,      // of an environment image
     DRAW_ROULETTE,
     DRAW_WALK,       // one per flight of a walk: length, cosine, azimuth, roulette
