@@ -206,7 +206,7 @@ TEST(Control, CameraRaysAreSharedWhereNothingInSightHasOne) {
     };
     EXPECT_FALSE(shares(-1, 1.8, .02)); // the light goes along z: against the camera's side
     EXPECT_TRUE(shares(1, 1.8, .02));
-    EXPECT_TRUE(shares(1, .3, .005)); // a plate, but one that lets next to nothing through
+    EXPECT_TRUE(shares(1, .3, .0075)); // a plate, but one that lets next to nothing through
     EXPECT_FALSE(shares(1, .3, .02));
 }
 
