@@ -57,6 +57,6 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_ball(D
     if (!(d > 0.0f)) return;
     for (uint k = 0u; k < 2u; ++k) {
         const float3 offset = line.across + (-b + (k == 0u ? -sqrt(d) : sqrt(d))) * line.along;
-        out[2u * i + k] = (float4)(probe_weight(&profiles, offset, (offset - centre) * (1.0f / probe.ball)), length(offset));
+        out[2u * i + k] = (float4)(probe_weight(&profiles, offset, (offset - centre) * (1.0f / probe.ball)), length3(offset));
     }
 }

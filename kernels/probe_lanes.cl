@@ -1,11 +1,12 @@
 // Entry points that run the rooms written over lanes, LANES inputs per work-item, so that a test can compare one number of
 // lanes with another. Arrays are by input, whatever LANES is: their lengths are multiples of it.
 #include "lanes/math.h"
+#include "lanes/scalar.h"
 #include "random/hash.h"
 #include "shared/view.h"
 #include "walk/walk.h"
 
-// Built-ins that the kernels use where paths are alone, lane by lane.
+// What the kernels use where paths are alone, lane by lane.
 #define EACH_LANE(y, x, f)                                                                                             \
     for (uint l = 0u; l < LANES; ++l) {                                                                                \
         const float v = LANE_FLOAT(x, l);                                                                              \
@@ -13,7 +14,7 @@
     }
 
 // function: 0 log, 1 exp, 2 log1p, 3 expm1, 4 sine and 5 cosine of turns, 6 random_unit of bits; built-ins: 7 square root,
-// 8 reciprocal, 9 x x - 1 rounded once (fma), 10 reciprocal square root, 11 atan2(x, 1), 12 atan2(1, x), 13 length of
+// 8 reciprocal, 9 x x - 1 rounded once (fma); of lanes/scalar.h: 10 floor, 11 atan2(x, 1), 12 atan2(1, x), 13 length of
 // (x, x, x), 14 the x of (x, x, x) normalised.
 kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_function(
     global const real *in, global real *out, uint function) {
@@ -31,11 +32,11 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_functi
     case 7: out[i] = sqrt(x); break;
     case 8: out[i] = 1.0f / x; break;
     case 9: out[i] = fma(x, x, (real)(-1.0f)); break;
-    case 10: EACH_LANE(y, x, rsqrt(v)) out[i] = y; break;
-    case 11: EACH_LANE(y, x, atan2(v, 1.0f)) out[i] = y; break;
-    case 12: EACH_LANE(y, x, atan2(1.0f, v)) out[i] = y; break;
-    case 13: EACH_LANE(y, x, length((float3)(v))) out[i] = y; break;
-    default: EACH_LANE(y, x, normalize((float3)(v)).x) out[i] = y;
+    case 10: EACH_LANE(y, x, floor_scalar(v)) out[i] = y; break;
+    case 11: EACH_LANE(y, x, atan2_scalar(v, 1.0f)) out[i] = y; break;
+    case 12: EACH_LANE(y, x, atan2_scalar(1.0f, v)) out[i] = y; break;
+    case 13: EACH_LANE(y, x, length3((float3)(v))) out[i] = y; break;
+    default: EACH_LANE(y, x, unit3((float3)(v)).x) out[i] = y;
     }
 }
 

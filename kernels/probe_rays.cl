@@ -71,8 +71,8 @@ probe_bounce(global const float4 *rays, global uint4 *bounces, global const floa
         float3 error;
         const float3 p = hit_point(blocks, hit, hit_barycentrics(ray, blocks, hit), &error);
         const float3 v0 = triangle_vertex(blocks, hit.block, hit.slot, 0u);
-        const float3 ng = normalize(cross(triangle_vertex(blocks, hit.block, hit.slot, 1u) - v0,
-                                          triangle_vertex(blocks, hit.block, hit.slot, 2u) - v0));
+        const float3 ng = unit3(triangle_normal(triangle_vertex(blocks, hit.block, hit.slot, 1u) - v0,
+                                                triangle_vertex(blocks, hit.block, hit.slot, 2u) - v0));
         ray.direction = vload3(i, directions);
         ray.origin = offset_point(p, error, ng, ray.direction);
         ray.t_min = 0.0f;

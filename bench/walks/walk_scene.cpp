@@ -28,7 +28,8 @@ scene::Scene walk_scene(const scene::Mesh &mesh, double mean_free_path, double a
     material[PARAMETER_subsurface_scatter_anisotropy].value = Vec3::Constant(anisotropy);
     scene.objects.push_back({.name = "mesh", .mesh = mesh});
     scene.lights.emplace_back();         // an environment of radiance 1
-    scene.render.guiding = GUIDING_NONE; // both sides walk classically
+    scene.render.guiding = GUIDING_NONE; // both sides walk classically,
+    scene.render.control = false;        // and alone
     scene.render.max_depth = 1;          // the ray after the exit is the last
     return scene;
 }

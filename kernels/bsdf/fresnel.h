@@ -5,7 +5,7 @@
 // Unpolarised Fresnel reflectance of a dielectric, relative index eta >= 1, from outside. cosine in [0, 1].
 float fresnel_dielectric(float cosine, float eta) {
     const float sine2 = (1.0f - cosine) * (1.0f + cosine) / (eta * eta);
-    const float inner = sqrt(fmax(0.0f, 1.0f - sine2));
+    const float inner = sqrt(max(0.0f, 1.0f - sine2));
     const float parallel = (eta * cosine - inner) / (eta * cosine + inner);
     const float perpendicular = (cosine - eta * inner) / (cosine + eta * inner);
     return 0.5f * (parallel * parallel + perpendicular * perpendicular);
@@ -19,7 +19,7 @@ float3 fresnel_schlick(float cosine, float3 f0) {
 
 // OpenPBR: specular_weight scales the reflectance at normal incidence, so it changes the index.
 float weighted_ior(float ior, float weight) {
-    const float r = sqrt(fmin(weight, 1.0f)) * (ior - 1.0f) / (ior + 1.0f);
+    const float r = sqrt(min(1.0f, weight)) * (ior - 1.0f) / (ior + 1.0f);
     return (1.0f + r) / (1.0f - r);
 }
 

@@ -13,7 +13,7 @@ float3 lambert_sample(float2 xi, float3 shading, float3 geometric) {
 // Per steradian. `direction` on the geometric normal's side, else 0.
 float lambert_pdf(float3 direction, float3 shading, float3 geometric) {
     if (dot(direction, geometric) <= 0.0f) return 0.0f;
-    return INV_PI * (fmax(0.0f, dot(direction, shading)) + fmax(0.0f, dot(unfold(direction, geometric), shading)));
+    return INV_PI * (max(0.0f, dot(direction, shading)) + max(0.0f, dot(unfold(direction, geometric), shading)));
 }
 
 #endif

@@ -13,7 +13,7 @@
 float3 refract_inwards(float3 view, float3 h, float eta) {
     const float cosine = clamp(dot(view, h), 0.0f, 1.0f);
     const float inner = sqrt(fma(cosine, cosine, (eta - 1.0f) * (eta + 1.0f))); // eta times the cosine inside
-    return -normalize(view + (inner - cosine) * h);
+    return -unit3(view + (inner - cosine) * h);
 }
 
 // Direction into a medium below a surface of GGX microfacets about `normal`, which `view` sees (see seen_normal); xi draws the

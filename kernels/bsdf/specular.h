@@ -21,7 +21,7 @@ typedef struct {
 // The shading normal turned towards the viewer just so far that he sees it: at silhouettes of smooth meshes he may not.
 float3 seen_normal(float3 shading, float3 view) {
     const float least = 1e-3f, seen = dot(shading, view);
-    return seen >= least ? shading : normalize(shading + (least - seen) * view);
+    return seen >= least ? shading : unit3(shading + (least - seen) * view);
 }
 
 float3 specular_reflectance(const Specular *specular, float dielectric, float cosine) {
@@ -34,7 +34,7 @@ float3 specular_reflectance(const Specular *specular, float dielectric, float co
 // *base is what the layer below gets: nothing under metal, 1 - r under the dielectric.
 float3 specular_sample(const Specular *specular, float2 xi, float3 *direction, float *base) {
     const float3 h = microfacet_sample(specular->view, specular->alpha, xi);
-    const float cosine = fmin(1.0f, dot(specular->view, h));
+    const float cosine = min(1.0f, dot(specular->view, h));
     const float3 light = 2.0f * cosine * h - specular->view;
     *base = 1.0f - specular->metalness;
     *direction = specular->geometric;
@@ -51,8 +51,8 @@ float3 specular_unfolded(const Specular *specular, float3 world) {
     basis(specular->normal, &t, &b);
     const float3 light = (float3)(dot(world, t), dot(world, b), dot(world, specular->normal));
     if (light.z <= 0.0f) return (float3)(0.0f);
-    const float3 h = normalize(light + specular->view);
-    const float cosine = fmin(1.0f, dot(specular->view, h));
+    const float3 h = unit3(light + specular->view);
+    const float cosine = min(1.0f, dot(specular->view, h));
     return specular_reflectance(specular, fresnel_dielectric(cosine, specular->eta), cosine) *
            (microfacet_seen_by_both(specular->view, light, specular->alpha) *
             microfacet_reflection_pdf(specular->view, h, specular->alpha));
@@ -65,6 +65,6 @@ float3 specular_eval(const Specular *specular, float3 world) {
 }
 
 // About how dense reflected directions are where the BSDF x cosine is r, for the balance with draws of lights: the largest channel.
-float specular_density(float3 r) { return fmax(r.x, fmax(r.y, r.z)); }
+float specular_density(float3 r) { return max(r.x, max(r.y, r.z)); }
 
 #endif

@@ -3,6 +3,7 @@
 #define NACRE_CAMERA_CAMERA_H
 
 #include "lanes/math.h"
+#include "lanes/scalar.h"
 #include "random/sampler.h"
 #include "sampling/hemisphere.h"
 #include "shared/view.h"
@@ -29,7 +30,7 @@ void camera_ray(const Scene *scene, uint x, uint y, float2 xi, float2 lens, floa
         *origin += shift;
         to -= shift * (1.0f / camera->focus_distance);
     }
-    *direction = normalize(to);
+    *direction = unit3(to);
 }
 
 #endif

@@ -47,7 +47,7 @@ bool probe_surface(const Scene *scene, const PATH_SPACE Path *path, Sampler samp
     global const Object *object = scene->objects + path->object;
     const float3 entry = path->position.xyz, along = probe_world(frame, line.along);
     const float before = 2.1f * scene->frame->scene_radius; // of the entry: outside of everything
-    if (!(length(line.across) < before)) return false;      // past everything
+    if (!(length3(line.across) < before)) return false;      // past everything
     Ray ray = path_ray(entry + probe_world(frame, line.across) - before * along, along);
     crossing->all = 0.0f;
     int depth = 0;

@@ -17,6 +17,7 @@
 #define NACRE_DIFFUSION_DIPOLE_H
 
 #include "lanes/math.h"
+#include "lanes/scalar.h"
 #include "shared/view.h"
 
 typedef struct {

@@ -72,7 +72,7 @@ float probe_pdf(const ProbeProfiles *profiles, float3 offset, float3 normal) {
 
 // What each channel's light that left at `offset` is worth, of 1 in all. 0 where float holds neither density.
 float3 probe_weight(const ProbeProfiles *profiles, float3 offset, float3 normal) {
-    const float pdf = probe_pdf(profiles, offset, normal), r = length(offset);
+    const float pdf = probe_pdf(profiles, offset, normal), r = length3(offset);
     if (pdf == 0.0f) return (float3)(0.0f);
     return (float3)(profile_eval(profiles->channel, r), profile_eval(profiles->channel + 1, r),
                     profile_eval(profiles->channel + 2, r)) * (1.0f / pdf);

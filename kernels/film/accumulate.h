@@ -4,6 +4,7 @@
 #define NACRE_FILM_ACCUMULATE_H
 
 #include "film/layers.h"
+#include "lanes/scalar.h"
 
 #pragma OPENCL FP_CONTRACT OFF
 
@@ -43,7 +44,7 @@ void film_accumulate(const Scene *scene, uint pixel, uint samples, uint slot, gl
     float4 total = sum[FILM_RADIANCE], square = sum[FILM_SQUARE], rest = sum[FILM_REST];
     for (uint i = 0; i < samples; ++i) {
         float4 value = radiance[slot + i];
-        LISTED(const float cost = floor(value.w / LIST_COST);)
+        LISTED(const float cost = floor_scalar(value.w / LIST_COST);)
         LISTED(value.w -= LIST_COST * cost;)
         // Knuth's exact sum (The Art of Computer Programming 2, 4.2.2): next + its rest is total + value to the last bit.
         const float4 next = total + value, added = next - total;

@@ -2,6 +2,7 @@
 #ifndef NACRE_GEOMETRY_RAY_H
 #define NACRE_GEOMETRY_RAY_H
 
+#include "lanes/scalar.h"
 #include "shared/bvh.h"
 
 #pragma OPENCL FP_CONTRACT OFF
@@ -76,6 +77,10 @@ float3 triangle_vertex(global const float *blocks, uint block, uint slot, uint k
     global const float *rows = blocks + ((size_t)block * BVH_BLOCK_ROWS + 3u * k) * BVH_WIDTH + slot;
     return (float3)(rows[0], rows[BVH_WIDTH], rows[2 * BVH_WIDTH]);
 }
+
+// On the counter-clockwise side of a triangle with edges e1 and e2 from one vertex, 2^41 times its area long: the square of the
+// length is a normal number for edges from 1e-16 on.
+float3 triangle_normal(float3 e1, float3 e2) { return cross(e1, e2) * 0x1p40f; }
 
 uint block_primitive(global const float *blocks, uint block, uint slot) {
     return as_uint(blocks[((size_t)block * BVH_BLOCK_ROWS + BVH_ROW_PRIMITIVE) * BVH_WIDTH + slot]);

@@ -19,8 +19,8 @@ typedef struct {
 // The counter-clockwise normal of a hit triangle, not normalised.
 float3 hit_normal(const Scene *scene, Hit hit) {
     const float3 v0 = triangle_vertex(scene->blocks, hit.block, hit.slot, 0);
-    return cross(triangle_vertex(scene->blocks, hit.block, hit.slot, 1) - v0,
-                 triangle_vertex(scene->blocks, hit.block, hit.slot, 2) - v0);
+    return triangle_normal(triangle_vertex(scene->blocks, hit.block, hit.slot, 1) - v0,
+                           triangle_vertex(scene->blocks, hit.block, hit.slot, 2) - v0);
 }
 
 // Tangent-space normal map (OpenGL convention: +y up the picture). Tangents follow the texture coordinates.
@@ -53,7 +53,7 @@ Surface surface_at(const Scene *scene, Ray ray, Hit hit) {
     surface.position = hit_point(scene->blocks, hit, w, &surface.error);
     surface.primitive = hit.primitive;
     surface.object = object_of(scene, hit.primitive);
-    surface.geometric = normalize(cross(v[1] - v[0], v[2] - v[0]));
+    surface.geometric = unit3(triangle_normal(v[1] - v[0], v[2] - v[0]));
     surface.shading = surface.geometric;
     surface.uv = (float2)(0.0f);
     uint3 corner;

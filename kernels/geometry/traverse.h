@@ -104,17 +104,17 @@ ALWAYS_INLINE void take_hits(global const float *blocks, uint block, uint slot, 
 // not below it, however dense the medium.
 ALWAYS_INLINE uint ground_below(global const float *blocks, uint block, uint slot, uint bits, const float *distance,
                                 const float *area, float3 origin, float3 direction) {
-    const float rounding = POSITION_ROUNDING * fmax(fabs(origin.x), fmax(fabs(origin.y), fabs(origin.z)));
+    const float rounding = POSITION_ROUNDING * max(fabs(origin.x), max(fabs(origin.y), fabs(origin.z)));
     uint ground = 0u;
     for (; bits != 0u; bits &= bits - 1u) {
         const uint i = lowest_bit(bits);
         const float3 v0 = triangle_vertex(blocks, block, slot + i, 0u);
         const float3 e1 = triangle_vertex(blocks, block, slot + i, 1u) - v0;
         const float3 e2 = triangle_vertex(blocks, block, slot + i, 2u) - v0;
-        const float3 normal = cross(e1, e2), size = fmax(fabs(e1), fabs(e2));
+        const float3 normal = triangle_normal(e1, e2), size = max(fabs(e1), fabs(e2));
         const float cosine = dot(normal, direction), t = distance[i] / area[i];
-        const float blur = 3.0f * rounding + 1e-6f * fmax(size.x, fmax(size.y, size.z));
-        if (cosine < 0.0f && -cosine * t <= blur * length(normal)) ground |= bits & (0u - bits);
+        const float blur = 3.0f * rounding + 1e-6f * max(size.x, max(size.y, size.z));
+        if (cosine < 0.0f && -cosine * t <= blur * length3(normal)) ground |= bits & (0u - bits);
     }
     return ground;
 }

@@ -11,7 +11,7 @@ float thickness_below(global const float *nodes, global const float *blocks, uin
                  c = triangle_vertex(blocks, block, slot, 2);
     Ray ray;
     ray.origin = (a + b + c) * (1.0f / 3.0f);
-    ray.direction = -normalize(cross(b - a, c - a)); // no number for a triangle without area: that ray hits nothing
+    ray.direction = -unit3(triangle_normal(b - a, c - a)); // no number for a triangle without area: that ray hits nothing
     ray.t_min = GUIDE_PROBE_START;
     ray.t_max = MAXFLOAT;
     PROFILED(uint visits[2]; visits[0] = visits[1] = 0u;) // nobody's rays

@@ -47,8 +47,8 @@ float strength_of_flat(global const Light *light, const Receiver *receiver) {
     const float above = -dot(light->normal.xyz, from), height = dot(receiver->normal, from);
     if (!(above > 0.0f)) return 0.0f;
     const float hu = dot(receiver->normal, u), hv = dot(receiver->normal, v);
-    const float up = fmax(0.0f, triangle ? fmax(hu, hv) : fmax(0.0f, hu) + fmax(0.0f, hv));
-    const float down = fmin(0.0f, triangle ? fmin(hu, hv) : fmin(0.0f, hu) + fmin(0.0f, hv));
+    const float up = max(0.0f, triangle ? max(hu, hv) : max(0.0f, hu) + max(0.0f, hv));
+    const float down = min(0.0f, triangle ? min(hu, hv) : min(0.0f, hu) + min(0.0f, hv));
     const float3 to = from + (triangle ? 1.0f / 3.0f : 0.5f) * (u + v);
     const float radius2 = INV_PI * light->normal.w, distance2 = dot(to, to) + radius2, distance = sqrt(distance2);
     const float cosine = receiver_cosine(mean_height_above(height + down, height + up), distance);

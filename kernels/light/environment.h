@@ -3,6 +3,7 @@
 #define NACRE_LIGHT_ENVIRONMENT_H
 
 #include "lanes/math.h"
+#include "lanes/scalar.h"
 #include "random/hash.h"
 #include "shared/view.h"
 
@@ -15,15 +16,15 @@ float3 environment_turned(global const Light *light, float3 d, float sign) {
 // Texel coordinates of a direction, in texels.
 float2 environment_coordinates(global const Light *light, float3 direction) {
     const float3 d = environment_turned(light, direction, 1.0f);
-    const float u = 0.5f + atan2(d.z, d.x) * (0.5f * INV_PI);
-    const float v = atan2(sqrt(d.x * d.x + d.z * d.z), d.y) * INV_PI;
+    const float u = 0.5f + atan2_scalar(d.z, d.x) * (0.5f * INV_PI);
+    const float v = atan2_scalar(sqrt(d.x * d.x + d.z * d.z), d.y) * INV_PI;
     return (float2)(u * (float)light->width, v * (float)light->height);
 }
 
 // Bilinear, round the circle in u, held at the poles in v.
 float3 environment_image(const Scene *scene, global const Light *light, float2 at) {
     const float x = at.x - 0.5f, y = clamp(at.y - 0.5f, 0.0f, (float)(light->height - 1u));
-    const float fx = floor(x), fy = floor(y), s = x - fx, t = y - fy;
+    const float fx = floor_scalar(x), fy = floor_scalar(y), s = x - fx, t = y - fy;
     const uint width = light->width, x0 = fx < 0.0f ? width - 1u : min((uint)fx, width - 1u);
     const uint x1 = x0 + 1u >= width ? 0u : x0 + 1u, y0 = (uint)fy, y1 = min(y0 + 1u, light->height - 1u);
     global const float4 *texels = scene->environment + light->first_texel;
@@ -36,8 +37,9 @@ float3 environment_image(const Scene *scene, global const Light *light, float2 a
 float environment_density(const Scene *scene, global const Light *light, float2 at) {
     const uint x = min((uint)at.x, light->width - 1u), y = min((uint)at.y, light->height - 1u);
     const float share = scene->environment[light->first_texel + y * light->width + x].w;
-    const float sine = sinpi(at.y / (float)light->height);
-    return share * (float)light->width * (float)light->height / fmax(1e-8f, 2.0f * PI * PI * sine);
+    float sine, cosine;
+    sincos_scalar(0.5f * at.y / (float)light->height, &sine, &cosine);
+    return share * (float)light->width * (float)light->height / max(1e-8f, 2.0f * PI * PI * sine);
 }
 
 // `texel` are two random words that draw a texel from the alias table, `inside` a point of it.
@@ -47,12 +49,12 @@ float3 environment_sample(const Scene *scene, global const Light *light, uint2 t
     const AliasEntry entry = scene->environment_table[light->first_texel + slot];
     const uint chosen = random_unit(texel.y) < entry.threshold ? slot : entry.other;
     const float2 at = (float2)((float)(chosen % light->width) + inside.x, (float)(chosen / light->width) + inside.y);
-    float s, c;
+    float s, c, sine, cosine;
     sincos_scalar(at.x / (float)light->width, &s, &c); // atan2 counts from -pi: both change sign
-    const float v = at.y / (float)light->height, sine = sinpi(v);
+    sincos_scalar(0.5f * at.y / (float)light->height, &sine, &cosine);
     *radiance = environment_image(scene, light, at);
     *density = environment_density(scene, light, at);
-    return environment_turned(light, (float3)(-sine * c, cospi(v), -sine * s), -1.0f);
+    return environment_turned(light, (float3)(-sine * c, cosine, -sine * s), -1.0f);
 }
 
 #endif

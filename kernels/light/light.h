@@ -40,14 +40,14 @@ bool light_sample_flat(const Scene *scene, global const Light *light, float chan
         b = root * xi.y;
     }
     const float3 point = light->position.xyz + a * light->u.xyz + b * light->v.xyz, to = point - position;
-    sample->distance = length(to);
+    sample->distance = length3(to);
     sample->direction = to * (1.0f / sample->distance);
     const float cosine = -dot(sample->direction, light->normal.xyz);
     if (!(cosine > 0.0f && sample->distance > 0.0f)) return false;
     sample->density = light_area_density(light, chance, sample->distance, cosine);
     // Off the surface by more than rounding of the point and of a ray's test from that far: some ulp of both.
     const float3 size = fabs(point);
-    const float rounding = 1e-6f * (fmax(size.x, fmax(size.y, size.z)) + sample->distance);
+    const float rounding = 1e-6f * (max(size.x, max(size.y, size.z)) + sample->distance);
     sample->target = point + rounding * light->normal.xyz;
     sample->radiance = light->radiance.xyz;
     if (triangle) {

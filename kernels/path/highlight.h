@@ -23,8 +23,8 @@
 bool is_mirrored(global const Light *light, float3 position, float3 mirrored, float reach) {
     const float middle = light->kind == LIGHT_TRIANGLE ? 1.0f / 3.0f : 0.5f;
     const float3 to = light->position.xyz + middle * (light->u.xyz + light->v.xyz) - position;
-    const float distance = length(to), radius = sqrt(INV_PI * light->normal.w);
-    return length(to - distance * mirrored) < reach * distance + radius;
+    const float distance = length3(to), radius = sqrt(INV_PI * light->normal.w);
+    return length3(to - distance * mirrored) < reach * distance + radius;
 }
 
 // How many lights to draw for a surface that is seen from `view`.

@@ -121,14 +121,14 @@ bool specular_at(const Scene *scene, global const Material *material, const Surf
 // that shows is less then, supposing that both lead to the same light: a dark channel's highlights, which are most of
 // its light, are not left to rare paths.
 float reflection_chance(const PATH_SPACE Path *path, float3 reflected, float let_through, float4 base) {
-    const float least = fmin(1.0f, largest3(reflected));
+    const float least = min(1.0f, largest3(reflected));
     if (path->hits > 1u || !(least > 0.0f)) return least;
     const float3 returned = let_through * base.xyz, shown = reflected + returned + PATH_LEAST_COLOR;
     // What a medium returns is noisy, unless it is white: up to twice its mean.
-    const float noise = 1.0f + base.w * (1.0f - fmin(1.0f, fmin(base.x, fmin(base.y, base.z))));
-    const float a = length(reflected / shown), b = noise * length(returned / shown);
+    const float noise = 1.0f + base.w * (1.0f - min(1.0f, min(base.x, min(base.y, base.z))));
+    const float a = length3(reflected / shown), b = noise * length3(returned / shown);
     // A dark medium may be bright where it is thin.
-    return fmax(least, fmin(a / (a + b), 1.0f - PATH_LEAST_BASE * let_through));
+    return max(least, min(a / (a + b), 1.0f - PATH_LEAST_BASE * let_through));
 }
 
 // Reflects the path, or lets it through to the base, see base_at, with what is left for that. xi in (0, 1) decides.

@@ -19,7 +19,7 @@ Shadow no_shadow(void) {
     return shadow;
 }
 
-float largest3(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+float largest3(float3 v) { return max(v.x, max(v.y, v.z)); }
 
 // NaN asks too: it has to show.
 bool shadow_asked(const Scene *scene, const Shadow *shadow) {
@@ -47,7 +47,7 @@ Shadow shadow_of(float3 position, float3 error, float3 geometric, const LightSam
     shadow.ray.t_max = MAXFLOAT;
     if (sample->distance < MAXFLOAT) { // from where the ray starts, not from where the surface is
         const float3 to = sample->target - shadow.ray.origin;
-        shadow.ray.t_max = length(to);
+        shadow.ray.t_max = length3(to);
         shadow.ray.direction = to * (1.0f / shadow.ray.t_max);
     }
     return shadow;

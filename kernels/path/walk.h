@@ -165,7 +165,7 @@ Shadow walk_end(const Scene *scene, const WalkLanes *groups, const RayStream *st
     if (out) return path_exit(scene, path, position, error, shading, geometric);
     if (ends.capped & bit) {
         const float3 lost = path->throughput.xyz * path->weight.xyz;
-        counts->value[COUNTER_capped_energy] += (uint)fmin(1e9f, (lost.x + lost.y + lost.z) * (COUNTER_ENERGY / 3.0f));
+        counts->value[COUNTER_capped_energy] += (uint)min(1e9f, (lost.x + lost.y + lost.z) * (COUNTER_ENERGY / 3.0f));
         path_lose(path, counts, COUNTER_capped);
         return no_shadow();
     }

@@ -2,6 +2,7 @@
 #ifndef NACRE_TEXTURE_TEXTURE_H
 #define NACRE_TEXTURE_TEXTURE_H
 
+#include "lanes/scalar.h"
 #include "shared/view.h"
 
 float4 texture_texel(const Scene *scene, global const Texture *texture, uint x, uint y) {
@@ -15,9 +16,9 @@ float4 texture_sample(const Scene *scene, uint index, float2 uv) {
     global const Texture *texture = scene->textures + index;
     const float width = (float)texture->width, height = (float)texture->height;
     float u = fma(uv.x, texture->scale_u, texture->offset_u), v = 1.0f - fma(uv.y, texture->scale_v, texture->offset_v);
-    u = (u - floor(u)) * width - 0.5f;
-    v = (v - floor(v)) * height - 0.5f;
-    const float fx = floor(u), fy = floor(v), s = u - fx, t = v - fy;
+    u = (u - floor_scalar(u)) * width - 0.5f;
+    v = (v - floor_scalar(v)) * height - 0.5f;
+    const float fx = floor_scalar(u), fy = floor_scalar(v), s = u - fx, t = v - fy;
     const uint x0 = fx < 0.0f ? texture->width - 1u : (uint)fx, x1 = x0 + 1u >= texture->width ? 0u : x0 + 1u;
     const uint y0 = fy < 0.0f ? texture->height - 1u : (uint)fy, y1 = y0 + 1u >= texture->height ? 0u : y0 + 1u;
     const float4 top = mix(texture_texel(scene, texture, x0, y0), texture_texel(scene, texture, x1, y0), s);

@@ -36,28 +36,27 @@ void clearance_set(ClearanceLanes *lanes, uint lane, global const Clearance *c) 
     LANE_INT(lanes->first, lane) = (int)(c->first / 4u);
 }
 
-// Cell of a coordinate, as a whole number; beyond the grid its nearest one. NaN gives 0.
-real clearance_cell(real x, real corner, real inverse_edge, real last) {
+// Cell of a coordinate; beyond the grid its nearest one. NaN gives 0.
+whole clearance_cell(real x, real corner, real inverse_edge, real last) {
     const real cell = (x - corner) * inverse_edge;
     const real above = pick(cell > 0.0f, cell, (real)(0.0f));
-    return trunc(pick(above < last, above, last));
+    return to_whole(pick(above < last, above, last));
 }
 
 // A lower bound, >= 0, on the distance of any point to the surface. It holds beyond the grid as well (triangle
 // inequality about the centre of the nearest cell), and is 0 for points that are not finite and lanes without a field.
 real clearance_at(global const uint *field, const ClearanceLanes *c, real x, real y, real z) {
-    const real cell_x = clearance_cell(x, c->corner_x, c->inverse_edge, c->last_x);
-    const real cell_y = clearance_cell(y, c->corner_y, c->inverse_edge, c->last_y);
-    const real cell_z = clearance_cell(z, c->corner_z, c->inverse_edge, c->last_z);
-    const whole i = to_whole(cell_x), j = to_whole(cell_y), k = to_whole(cell_z);
+    const whole i = clearance_cell(x, c->corner_x, c->inverse_edge, c->last_x);
+    const whole j = clearance_cell(y, c->corner_y, c->inverse_edge, c->last_y);
+    const whole k = clearance_cell(z, c->corner_z, c->inverse_edge, c->last_z);
     // A row of four cells along x is one word, sixteen words are a brick.
     const whole brick = ((k >> 2) * c->bricks_y + (j >> 2)) * c->bricks_x + (i >> 2);
     const whole word = gather(field, c->first + brick * 16 + (k & 3) * 4 + (j & 3));
     const real code = to_real((word >> ((i & 3) * 8)) & 255);
 
-    const real from_x = fma(cell_x + 0.5f, c->edge, c->corner_x - x);
-    const real from_y = fma(cell_y + 0.5f, c->edge, c->corner_y - y);
-    const real from_z = fma(cell_z + 0.5f, c->edge, c->corner_z - z);
+    const real from_x = fma(to_real(i) + 0.5f, c->edge, c->corner_x - x);
+    const real from_y = fma(to_real(j) + 0.5f, c->edge, c->corner_y - y);
+    const real from_z = fma(to_real(k) + 0.5f, c->edge, c->corner_z - z);
     const real off_centre = sqrt(fma(from_x, from_x, fma(from_y, from_y, from_z * from_z)));
     // Sum, root and the distances from far away round by a few ulp of the result.
     const real bound = fma(code * code, c->unit, -c->rounding) - off_centre * 1.000001f;

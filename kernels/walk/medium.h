@@ -29,7 +29,7 @@ float similarity_at(const Scene *scene, global const Material *material, float c
         y = table_place(at, INVERSION_ANISOTROPIES);
     }
     if (material->similarity_bleeds > 1u)
-        z = table_place(sqrt(fmax(bleed, 0.0f) / INVERSION_LARGEST_BLEED) * (float)(INVERSION_BLEEDS - 1), INVERSION_BLEEDS);
+        z = table_place(sqrt(max(0.0f, bleed) / INVERSION_LARGEST_BLEED) * (float)(INVERSION_BLEEDS - 1), INVERSION_BLEEDS);
     const uint row = INVERSION_COLORS, layer = row * material->similarity_anisotropies;
     global const float *first = scene->similarities + material->similarity_first + z.node * layer + y.node * row + x.node;
     const uint next_row = material->similarity_anisotropies > 1u ? row : 0u;
@@ -64,7 +64,7 @@ float3 medium_at(const Scene *scene, global const Material *material, float2 uv,
                              (painted ? material->radius_scale : 1.0f) *
                              material_color(scene, material, PARAMETER_subsurface_radius_scale, uv);
     // A mean free path of 0 (a black texel) is a surface without depth: 1e-7 of the scene's size is as good as that.
-    path->sigma.xyz = 1.0f / fmax(free_path, 1e-7f);
+    path->sigma.xyz = 1.0f / max((float3)(1e-7f), free_path);
     const float3 color = material_color(scene, material, PARAMETER_subsurface_color, uv);
     path->albedo.xyz = medium_albedo(scene, material, color, path->anisotropy.xyz, path->bleed);
     path->flight = (uint)material->flight;

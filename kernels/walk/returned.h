@@ -27,7 +27,7 @@ float slab_depth(uint node) {
 
 // `depth`: over the thickness.
 TablePlace slab_place(float depth) {
-    const float clamped = clamp(depth, 0.0f, 1.0f), x = sqrt(0.5f * fmin(clamped, 1.0f - clamped));
+    const float clamped = clamp(depth, 0.0f, 1.0f), x = sqrt(0.5f * min(clamped, 1.0f - clamped));
     TablePlace place;
     place.node = min((uint)((clamped < 0.5f ? x : 1.0f - x) * (float)(RETURNED_SLAB_DEPTHS - 1)), RETURNED_SLAB_DEPTHS - 2u);
     const float above = slab_depth(place.node);
@@ -38,8 +38,8 @@ TablePlace slab_place(float depth) {
 // Logarithm of the share, of one channel, from a table of `rows` depths. `first`: where it is, as if from similarity 0 on.
 float returned_log(const Scene *scene, global const float *tables, int first, uint rows, float albedo, float g, TablePlace depth,
                    TablePlace cosine) {
-    const float losses = fmax(1.0f - albedo, 0.0f);
-    const TablePlace s = table_place(sqrt(losses / fmax(1.0f - albedo * g, 1e-6f)) * (RETURNED_SIMILARITIES - 1),
+    const float losses = max(0.0f, 1.0f - albedo);
+    const TablePlace s = table_place(sqrt(losses / max(1e-6f, 1.0f - albedo * g)) * (RETURNED_SIMILARITIES - 1),
                                      RETURNED_SIMILARITIES);
     const uint next = HAS(ANISOTROPY) ? 1u : 0u, row = HAS(ANISOTROPY) ? RETURNED_COSINES : 1u, layer = row * rows;
     global const float *at = tables + (first + (int)(s.node * layer + depth.node * row + cosine.node));
@@ -60,7 +60,7 @@ float3 half_space_returns(const Scene *scene, const PATH_SPACE Path *path, float
     global const int *first = scene->materials[scene->objects[path->object].material].returned_first;
     const TablePlace place = returned_cosine(scene, cosine);
     const float3 albedo = path->albedo.xyz, g = path->anisotropy.xyz;
-    const float3 depths = fmax(depth, 0.0f) * path->sigma.xyz * (1.0f - g); // in transport mean free paths
+    const float3 depths = max(0.0f, depth) * path->sigma.xyz * (1.0f - g); // in transport mean free paths
     global const float *tables = scene->returned;
     return (float3)(
         exp_scalar(returned_log(scene, tables, first[0], RETURNED_DEPTHS, albedo.x, g.x, returned_place(depths.x), place)),

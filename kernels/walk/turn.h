@@ -152,7 +152,7 @@ Walks turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, Walks
             const float rounding = LANE_FLOAT(lanes->rounding, l), distance = LANE_FLOAT(lanes->distance, l);
             if (boundary_leaves(scene, hit, direction, &LANE_UINT(lanes->depth, l))) {
                 left |= (Walks)1 << w;
-                LANE_FLOAT(lanes->distance, l) = fmax(0.0f, hit.t - rounding);
+                LANE_FLOAT(lanes->distance, l) = max(0.0f, hit.t - rounding);
             } else { // on, beyond the shell
                 onward |= (Walks)1 << w;
                 stream->t_min[w] = hit.t;
@@ -164,20 +164,18 @@ Walks turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, Walks
     return left;
 }
 
-// Ends the flights of the lanes `flown` of a group: at the surface those that `left`, else in a scatter. Others stay as they were.
-TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left_bits) {
+// Ends the flights of the lanes `flown` of a group, whose first walk has bit `first` in `all`: at the surface those that `left`,
+// else in a scatter. Others stay as they were.
+void turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left_bits, uint first, TurnEnds *all) {
     Walk *walk = &lanes->walk;
     const float outside2 = 1.01f * scene->frame->scene_radius * scene->frame->scene_radius; // no object reaches there
-    TurnEnds ends;
-    ends.left = left_bits;
-    ends.slipped = bits((lanes->distance >= turn_beyond(scene)) | (dot3(walk->position, walk->position) > outside2)) &
-                   flown & ~left_bits;
-    ends.parted = ends.twins = 0u;
+    const uint slipped = bits((lanes->distance >= turn_beyond(scene)) | (dot3(walk->position, walk->position) > outside2)) &
+                         flown & ~left_bits;
     if (HAS(CONTROL)) {
-        ends.twins = twins_leave(scene, &lanes->twin, walk, &lanes->guide, flown);
-        ends.parted = twins_part(scene, &lanes->twin, walk, &lanes->guide, ends.left | ends.slipped);
+        all->twins |= (Walks)twins_leave(scene, &lanes->twin, walk, &lanes->guide, flown) << first;
+        all->parted |= (Walks)twins_part(scene, &lanes->twin, walk, &lanes->guide, left_bits | slipped) << first;
     }
-    const mask left = mask_of(left_bits), moves = mask_of(flown & ~ends.slipped);
+    const mask left = mask_of(left_bits), moves = mask_of(flown & ~slipped);
     const real3 position = walk->position, weight = walk->weight, share = walk->share;
     const natural steps = walk->steps;
     walk_arrive(scene, walk, &lanes->guide, lanes->distance, left);
@@ -187,10 +185,13 @@ TurnEnds turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left
     walk->steps = pick(moves, walk->steps, steps);
     if (HAS(CLEARANCE)) lanes->clear = pick(moves, lanes->clear_end, lanes->clear);
     const mask survives = walk_roulette(scene, walk, lane_unit(lanes->words.w), left | (moves == 0));
-    ends.ended = flown & ~bits(survives);
-    ends.capped = flown & ~ends.left & ~ends.slipped & ~ends.ended &
-                  bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));
-    return ends;
+    const uint ended = flown & ~bits(survives);
+    const uint capped = flown & ~left_bits & ~slipped & ~ended &
+                        bits((lanes->max_depth != 0u) & (walk->steps >= lanes->max_depth));
+    all->left |= (Walks)left_bits << first;
+    all->slipped |= (Walks)slipped << first;
+    all->ended |= (Walks)ended << first;
+    all->capped |= (Walks)capped << first;
 }
 
 // One flight of every walk in `active`, bit g LANES + l for lane l of group g, that gets a direction for it; the other lanes
@@ -209,15 +210,8 @@ TurnEnds walk_turn(const Scene *scene, WalkLanes *groups, RayStream *stream, Wal
     COUNT_PROFILE(counts, lane_active, popcount(active))
     const Walks left = turn_trace(scene, groups, stream, flying, counts);
     TurnEnds all = {0u, 0u, 0u, 0u, 0u, 0u};
-    FOR_GROUPS(g, flown) {
-        const TurnEnds ends = turn_arrive(scene, GROUP(groups, g), group_bits(flown, g), group_bits(left, g));
-        all.left |= ends.left << (g * LANES);
-        all.slipped |= ends.slipped << (g * LANES);
-        all.ended |= ends.ended << (g * LANES);
-        all.capped |= ends.capped << (g * LANES);
-        all.parted |= ends.parted << (g * LANES);
-        all.twins |= ends.twins << (g * LANES);
-    }
+    FOR_GROUPS(g, flown)
+        turn_arrive(scene, GROUP(groups, g), group_bits(flown, g), group_bits(left, g), g * LANES, &all);
     counts->value[COUNTER_steps] += popcount(flown);
     return all;
 }

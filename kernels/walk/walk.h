@@ -75,7 +75,7 @@ typedef struct {
 // at the entry.
 WalkStart walk_start(const Scene *scene, float3 color, float3 shown, float xi) {
     WalkStart start;
-    const float brightest = fmax(shown.x, fmax(shown.y, shown.z));
+    const float brightest = max(shown.x, max(shown.y, shown.z));
     const bool hero = scene->frame->channel_sampling == CHANNEL_HERO && brightest > 0.0f;
     const float3 likely = hero ? color * (shown * (1.0f / brightest) + WALK_LEAST_SHARE) : color;
     const float sum = likely.x + likely.y + likely.z;

@@ -21,7 +21,7 @@ enum class Function : std::uint32_t {
     root,
     inverse,
     square_less_one,
-    inverse_root,
+    floor,
     atan2_x_1,
     atan2_1_x,
     length3,
