@@ -14,7 +14,7 @@ kernel __attribute__((reqd_work_group_size(WORK_GROUP, 1, 1))) void probe_light(
     const Sampler sampler = sampler_of(seed, i, 0u, SOBOL_VERTICES);
     const Receiver receiver = receiver_at(position.xyz, normal.xyz);
     LightSample sample;
-    const bool drawn = light_sample(scene, sampler, &receiver, &sample);
+    const bool drawn = light_sample(scene, sampler, &receiver, strength_of_few(scene, &receiver), &sample);
     for (uint k = 0; k < 4u; ++k) out[4u * i + k] = (float4)(0.0f);
     if (!drawn) return;
     out[4u * i] = (float4)(sample.direction, sample.distance);

@@ -72,16 +72,20 @@ float light_strength(const Scene *scene, global const Light *light, const Receiv
     return 0.0f;
 }
 
-float strength_of_all(const Scene *scene, const Receiver *receiver) {
+// Of few lights the strength of all. 0: they are many, or none brings anything.
+float strength_of_few(const Scene *scene, const Receiver *receiver) {
     float sum = 0.0f;
+    if (scene->frame->light_count > LIGHT_FEW) return sum;
     for (uint i = 0; i < scene->frame->light_count; ++i) sum += light_strength(scene, scene->lights + i, receiver);
     return sum;
 }
 
-// Draws a light, and two numbers in (0, 1) for a point on it. Returns its chance; 0: none brings anything. Of few lights the
-// number that draws one goes on to draw the point, so that the points on each are as even as the pairs are: points of pairs of
-// their own are a random choice from even ones, and the memo's head is 1.1 times as noisy with them (plain variance, 32 samples).
-float light_choose(const Scene *scene, Sampler sampler, const Receiver *receiver, global const Light **chosen, float2 *point) {
+// Draws a light, and two numbers in (0, 1) for a point on it; `few`: strength_of_few. Returns its chance; 0: none brings anything.
+// Of few lights the number that draws one goes on to draw the point, so that the points on each are as even as the pairs are:
+// points of pairs of their own are a random choice from even ones, and the memo's head is 1.1 times as noisy with them (plain
+// variance, 32 samples).
+float light_choose(const Scene *scene, Sampler sampler, const Receiver *receiver, float few, global const Light **chosen,
+                   float2 *point) {
     const uint count = scene->frame->light_count;
     const uint2 words = draw_words(sampler, DRAW_LIGHT);
     if (count > LIGHT_FEW) {
@@ -91,8 +95,7 @@ float light_choose(const Scene *scene, Sampler sampler, const Receiver *receiver
         *point = draw_pair(sampler, DRAW_LIGHT_POINT);
         return (*chosen)->probability;
     }
-    const float all = strength_of_all(scene, receiver);
-    float rest = random_unit(words.x) * all, last = 0.0f;
+    float rest = random_unit(words.x) * few, last = 0.0f;
     for (uint i = 0; i < count; ++i) {
         const float strength = light_strength(scene, scene->lights + i, receiver);
         if (!(strength > 0.0f)) continue;
@@ -102,14 +105,14 @@ float light_choose(const Scene *scene, Sampler sampler, const Receiver *receiver
         rest -= strength;
         if (rest < 0.0f) break; // else rounding: the last one
     }
-    return last > 0.0f ? last / all : 0.0f;
+    return last > 0.0f ? last / few : 0.0f;
 }
 
 // The chance that light_choose draws `light`.
 float light_chance(const Scene *scene, global const Light *light, const Receiver *receiver) {
     if (scene->frame->light_count > LIGHT_FEW) return light->probability;
     const float strength = light_strength(scene, light, receiver);
-    return strength > 0.0f ? strength / strength_of_all(scene, receiver) : 0.0f;
+    return strength > 0.0f ? strength / strength_of_few(scene, receiver) : 0.0f;
 }
 
 #endif

@@ -63,12 +63,12 @@ bool light_sample_flat(const Scene *scene, global const Light *light, float chan
     return true;
 }
 
-// Draws a light and a direction to it as seen from `receiver`. False: it does not light that point.
-bool light_sample(const Scene *scene, Sampler sampler, const Receiver *receiver, LightSample *sample) {
+// Draws a light and a direction to it as seen from `receiver`. `few`: strength_of_few. False: it does not light that point.
+bool light_sample(const Scene *scene, Sampler sampler, const Receiver *receiver, float few, LightSample *sample) {
     const float3 position = receiver->position;
     global const Light *light = scene->lights;
     float2 xi;
-    const float chance = light_choose(scene, sampler, receiver, &light, &xi);
+    const float chance = light_choose(scene, sampler, receiver, few, &light, &xi);
     if (!(chance > 0.0f)) return false;
     if (HAS(ENVIRONMENT_IMAGE) && light->kind == LIGHT_ENVIRONMENT_IMAGE) {
         sample->distance = MAXFLOAT;

@@ -54,11 +54,12 @@ float highlight_shown(const Surface *surface, const Specular *specular, float be
 bool highlight_sample(const Scene *scene, Sampler sampler, const Surface *surface, const Specular *specular, float below,
                       uint candidates, LightSample *sample) {
     const Receiver receiver = receiver_at(surface->position, surface->geometric);
+    const float few = strength_of_few(scene, &receiver);
     float sum = 0.0f, taken = 1.0f, xi = candidates > 1u ? draw_pair(sampler, DRAW_LIGHT_POINT).x : 0.0f;
     for (uint k = 0; k < candidates; k++) {
         LightSample candidate;
         const Sampler own = sampler_with(sampler.key, sampler.sample * candidates + k, sampler.vertex);
-        if (!light_sample(scene, own, &receiver, &candidate)) continue;
+        if (!light_sample(scene, own, &receiver, few, &candidate)) continue;
         candidate.density *= (float)candidates;
         const float shown = candidates > 1u ? highlight_shown(surface, specular, below, &candidate) : 1.0f;
         if (shown <= 0.0f) continue;

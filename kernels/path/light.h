@@ -20,7 +20,8 @@ Shadow light_lambert(const Scene *scene, float3 throughput, Sampler sampler, flo
                      float3 geometric) {
     LightSample sample;
     const Receiver receiver = receiver_at(position, geometric);
-    if (!scene_samples_lights(scene) || !light_sample(scene, sampler, &receiver, &sample)) return no_shadow();
+    if (!scene_samples_lights(scene) || !light_sample(scene, sampler, &receiver, strength_of_few(scene, &receiver), &sample))
+        return no_shadow();
     const float pdf = lambert_pdf(sample.direction, shading, geometric);
     if (!(pdf > 0.0f)) return no_shadow();
     return shadow_of(position, error, geometric, &sample,
