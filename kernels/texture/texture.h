@@ -7,8 +7,8 @@
 
 float4 texture_texel(const Scene *scene, global const Texture *texture, uint x, uint y) {
     const uint at = texture->first + (y * texture->width + x) * texture->channels;
-    if (texture->channels == 1u) return (float4)(vload_half(at, scene->texels));
-    return vload_half4(0, scene->texels + at);
+    const float4 texel = vload_half4(0, scene->texels + at); // one alone PoCL would convert in twenty instructions
+    return texture->channels == 1u ? texel.xxxx : texel;
 }
 
 // uv: (0, 0) is the lower left corner of the picture, row 0 of the texels its top.

@@ -73,6 +73,7 @@ void pack_textures(const scene::Scene &scene, std::vector<Texture> &textures, st
         first.push_back(std::uint32_t(texels.size()));
         texels.insert(texels.end(), image.halves.begin(), image.halves.end());
     }
+    texels.resize(texels.size() + 3); // the last one is read as four: kernels/texture/texture.h
     for (const scene::Texture &source : scene.textures) {
         const scene::Image &image = scene.images[source.image];
         Texture texture{};
