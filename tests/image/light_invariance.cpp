@@ -2,6 +2,7 @@
 #include "image/light_scene.h"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace nacre {
 namespace {
@@ -86,6 +87,18 @@ TEST(LightInvariance, PlaceAndScale) {
             scene.render.seed = 7; // not the same samples: only their mean is the same
             expect_same(shoot(scene, 64), reference, 3e-2, "scale " + std::to_string(scale));
         }
+}
+
+// Facing a directional light, amid a scene 1e11 times as large: squares of its triangles' areas are no floats.
+TEST(LightInvariance, TinyTriangles) {
+    constexpr double edge = 2e-11;
+    scene::Scene scene = floor_scene(.5);
+    scene.objects[0].mesh = quad({-edge / 2, 0, edge / 2}, {edge, 0, 0}, {0, 0, -edge});
+    for (const double x : {-1., 1.}) scene.objects.push_back({"wall", quad({x, -1, -1}, {0, 2, 0}, {0, 0, 2}), 0, 0});
+    scene.lights = {directional_light({0, -1, 0}, Vec3::Constant(std::numbers::pi))}; // along the walls
+    scene.camera.position = {1e-9, 1e-9, 0};
+    scene.camera.height = 1e-13;
+    expect_shot(shoot(scene, 1), {.5, .5, .5}, 1e-5, 1e-5, "tiny");
 }
 
 } // namespace
