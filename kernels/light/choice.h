@@ -80,10 +80,10 @@ float strength_of_few(const Scene *scene, const Receiver *receiver) {
     return sum;
 }
 
-// Draws a light, and two numbers in (0, 1) for a point on it; `few`: strength_of_few. Returns its chance; 0: none brings anything.
-// Of few lights the number that draws one goes on to draw the point, so that the points on each are as even as the pairs are:
-// points of pairs of their own are a random choice from even ones, and the memo's head is 1.1 times as noisy with them (plain
-// variance, 32 samples).
+// Draws a light, and two numbers in (0, 1) for a point on it; `few`: strength_of_few. Returns its chance; 0: none brings
+// anything. Of few lights the number that draws one goes on to draw the point, so that the points on each are as even as the
+// pairs are: points of pairs of their own are a random choice from even ones, and the memo's head is 1.1 times as noisy with
+// them (plain variance, 32 samples).
 float light_choose(const Scene *scene, Sampler sampler, const Receiver *receiver, float few, global const Light **chosen,
                    float2 *point) {
     const uint count = scene->frame->light_count;

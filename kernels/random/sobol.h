@@ -13,8 +13,8 @@ uint reverse_bits(uint x) {
     return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
 }
 
-// On CPUs scrambling is not inlined: LLVM would scramble both numbers of a pair in a vector, where a product takes three times as
-// long and is waited for. A head's samples took 2 % longer for it.
+// On CPUs scrambling is not inlined: LLVM would scramble both numbers of a pair in a vector, where a product takes three times
+// as long and is waited for. A head's samples took 2 % longer for it.
 #if LANES > 1
 #define APART __attribute__((noinline))
 #else

@@ -164,8 +164,8 @@ Walks turn_trace(const Scene *scene, WalkLanes *groups, RayStream *stream, Walks
     return left;
 }
 
-// Ends the flights of the lanes `flown` of a group, whose first walk has bit `first` in `all`: at the surface those that `left`,
-// else in a scatter. Others stay as they were.
+// Ends the flights of the lanes `flown` of a group, whose first walk has bit `first` in `all`: at the surface those that
+// `left`, else in a scatter. Others stay as they were.
 void turn_arrive(const Scene *scene, WalkLanes *lanes, uint flown, uint left_bits, uint first, TurnEnds *all) {
     Walk *walk = &lanes->walk;
     const float outside2 = 1.01f * scene->frame->scene_radius * scene->frame->scene_radius; // no object reaches there
