@@ -15,7 +15,7 @@
 float straight_chance(int model, float3 single, float3 multiple) {
     if (model == MODEL_BURLEY) return 0.0f;
     const float s = single.x + single.y + single.z, m = multiple.x + multiple.y + multiple.z;
-    return m > 0.0f ? fmax(STRAIGHT_CHANCE, s / (s + m)) : 1.0f;
+    return m > 0.0f ? max(STRAIGHT_CHANCE, s / (s + m)) : 1.0f;
 }
 
 // Channels draw in proportion to the light that the path would bring back through them.

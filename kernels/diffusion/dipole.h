@@ -46,7 +46,7 @@ Dipole dipole_of(int model, float s) {
 float dipole_flux(float decay, float depth) { return exp_scalar(-decay * depth); }
 
 float dipole_mass(Dipole dipole) {
-    const float k = fmax(dipole.decay, 1e-6f); // the limit k -> 0 to 1e-6
+    const float k = max(1e-6f, dipole.decay); // the limit k -> 0 to 1e-6
     const float fluence = -exp_scalar(-k) * expm1_scalar(-k * (dipole.image - 1.0f)) / k;
     return dipole_flux(dipole.decay, 1.0f) + dipole_flux(dipole.decay, dipole.image) + dipole.fluence * fluence;
 }
@@ -107,10 +107,10 @@ float dipole_sources(Dipole dipole, float r, float v) {
 // the source is depth e^(-k (d - depth)) / d: with d = depth e^w, w + k depth (e^w - 1) = -ln xi, convex, by Newton from above.
 float dipole_radius(float decay, float depth, float xi) {
     const float wanted = -log_scalar(xi), k = decay * depth;
-    float w = fmin(wanted, log_scalar(1.0f + wanted / fmax(k, 1e-30f)));
+    float w = min(wanted, log_scalar(1.0f + wanted / max(1e-30f, k)));
     for (int i = 0; i < 5; ++i) {
         const float e = expm1_scalar(w);
-        w = fmax(0.0f, w - (fma(k, e, w) - wanted) / fma(k, e + 1.0f, 1.0f));
+        w = max(0.0f, w - (fma(k, e, w) - wanted) / fma(k, e + 1.0f, 1.0f));
     }
     return depth * sqrt(expm1_scalar(2.0f * w));
 }

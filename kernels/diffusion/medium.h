@@ -32,7 +32,7 @@ Lobes lobes_of(int model, float value, bool direct, float walk_albedo, float g) 
     const float s = direct ? dipole_similarity(value, g) : dipole_inverse(model, value, g);
     lobes.albedo = direct ? value : dipole_albedo(s, g);
     lobes.single = lobes.albedo * single_scattering(g);
-    lobes.multiple = fmin(dipole_total(model, s), 1.0f - lobes.single);
+    lobes.multiple = min(dipole_total(model, s), 1.0f - lobes.single);
     return lobes;
 }
 

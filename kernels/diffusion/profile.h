@@ -31,7 +31,7 @@ Profile profile_of(int model, float sigma, float albedo, float g, float color) {
 
 // x = 0 would be 1/0 in burley: nearer than this lies a share of 1e-6 of the light.
 float burley_density(float x) {
-    const float y = fmax(x, 1e-6f);
+    const float y = max(1e-6f, x);
     return (exp_scalar(-y) + exp_scalar(-y * (1.0f / 3.0f))) * (0.125f * INV_PI) / y;
 }
 

@@ -47,13 +47,13 @@ Shadow straight_walk(const Scene *scene, PATH_SPACE Path *path, Sampler sampler,
     for (uint flight = 0u;; ++flight) {
         counts->value[COUNTER_steps] += 1u;
         const float rounding =
-            POSITION_ROUNDING * fmax(fabs(position.x), fmax(fabs(position.y), fabs(position.z)));
-        distance = flight == 0u ? fmin(distance, beyond) : beyond;
+            POSITION_ROUNDING * max(fabs(position.x), max(fabs(position.y), fabs(position.z)));
+        distance = flight == 0u ? min(distance, beyond) : beyond;
         Ray ray = path_ray(position - rounding * direction, direction);
         ray.t_max = distance + 2.0f * rounding;
         const Hit hit = straight_hit(scene, path, ray, &depth, counts);
         const bool left = hit.block != BVH_NO_PRIMITIVE;
-        if (left) distance = fmax(0.0f, hit.t - rounding);
+        if (left) distance = max(0.0f, hit.t - rounding);
         float3 density = beer(sigma, distance);
         if (flight == 0u) {
             density *= left ? (float3)(1.0f) : sigma;
